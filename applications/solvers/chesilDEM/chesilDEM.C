@@ -1,0 +1,196 @@
+/*---------------------------------------------------------------------------*\
+    Chesil: smooth irregular grains, dry and in OpenFOAM flow
+    Licence: GPL-3.0-or-later, see LICENSE
+-------------------------------------------------------------------------------
+Application
+    chesilDEM
+
+Group
+    grpChesil
+
+Description
+    Dry runs of smooth irregular grains, without a mesh.
+
+    Reads constant/chesilProperties (worldSettingsReader.H tells the entries)
+    and system/controlDict (times and writing; `adjustTimeStep yes` takes a
+    share of the stable step, else deltaT is used and checked).
+
+    Writes grains.pvd with grains/grains_<n>.vtp for ParaView and
+    postProcessing/chesilDEM/<time>/world.dat.
+
+Usage
+    \b chesilDEM [OPTION]
+
+    Options:
+      - \par -case \<dir\>
+        The case to run, default: the current folder
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "Time.H"
+
+#include "progressLine.H"
+#include "worldSeries.H"
+#include "worldSettingsReader.H"
+
+#include "core/base/setupError.hpp"
+#include "core/io/vtkOutput.hpp"
+
+#include <iostream>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+//- The longest step up to `most` [s] of which the write interval is a multiple,
+//  so that the states written are those of the times asked for
+static scalar dividing(const Time& runTime, scalar most)
+{
+    const dictionary& control = runTime.controlDict();
+    const scalar whole =
+        control.lookupOrDefault<word>("writeControl", "timeStep") == "timeStep"
+      ? runTime.endTime().value() - runTime.value()
+      : control.get<scalar>("writeInterval");
+    return whole/ceil(whole/min(most, whole));
+}
+
+
+//- The DEM step [s]: chosen if the case lets us, else checked
+static scalar timeStepOf
+(
+    const Time& runTime,
+    const chesil::World& world,
+    const runSettings& run
+)
+{
+    const scalar stable = world.stableTimeStep();
+    if (runTime.controlDict().lookupOrDefault("adjustTimeStep", false))
+    {
+        const scalar step = dividing(runTime, run.shareOfStable*stable);
+        Info<< "Time step " << step << " s, " << run.shareOfStable
+            << " of the stable " << stable << " s" << endl;
+        return step;
+    }
+
+    const scalar step = runTime.deltaTValue();
+    if (!(step > 0))
+    {
+        throw chesil::SetupError
+        (
+            "system/controlDict", "deltaT", chesil::numberText(step), "a time > 0 s"
+        );
+    }
+    if (step > stable && !run.allowUnstable)
+    {
+        throw chesil::SetupError
+        (
+            "system/controlDict",
+            "deltaT",
+            chesil::numberText(step) + " s",
+            "at most the stable step of " + chesil::numberText(stable)
+          + " s (or adjustTimeStep yes; or timeStep { allowUnstable yes; } in"
+            " constant/chesilProperties)"
+        );
+    }
+    Info<< "Time step " << step << " s, " << step/stable
+        << " of the stable " << stable << " s" << endl;
+    return step;
+}
+
+
+static int run(Time& runTime)
+{
+    const autoPtr<IOdictionary> properties = chesilProperties(runTime);
+    const caseSettings settings = readCase(properties(), runTime);
+    chesil::World world(settings.world);
+    Info<< "Grains " << label(world.bodies().size())
+        << ", shapes " << label(settings.world.shapes.size())
+        << ", walls " << label(settings.world.walls.size()) << endl;
+
+    const scalar timeStep = timeStepOf(runTime, world, settings.run);
+    runTime.setDeltaT(timeStep, false);
+
+    chesil::VtkOutput pictures(runTime.globalPath(), world);
+    worldSeries series(runTime);
+    progressLine progress(runTime.value(), runTime.endTime().value());
+
+    world.updateForces(timeStep);
+    const auto write = [&](const worldSummary& summary)
+    {
+        pictures.write(world, runTime.value());
+        series.write(runTime.value(), summary);
+    };
+    write(worldSummary(world));
+
+    std::string end = "end time reached";
+    label steps = 0;
+    bool written = true;
+    while (runTime.run())
+    {
+        ++runTime;
+        ++steps;
+        if (world.step(timeStep) != chesil::StepStatus::done)
+        {
+            Info<< "FAILED at time " << runTime.value() << " s: the state of grain "
+                << label(world.brokenGrain()) << " is no finite number" << endl;
+            return 1;
+        }
+
+        written = runTime.writeTime();
+        if (written || progress.due())
+        {
+            const worldSummary summary(world);
+            progress.print(runTime.value(), summary.text());
+            if (written)
+            {
+                write(summary);
+                if (summary.unrest() < settings.run.stopAtRest)
+                {
+                    end = "at rest";
+                    break;
+                }
+            }
+        }
+    }
+
+    const worldSummary summary(world);
+    if (!written)
+    {
+        write(summary);
+    }
+    Info<< nl << "End: " << end.c_str() << " at " << runTime.value() << " s after "
+        << steps << " steps in " << progress.elapsed() << " s ("
+        << scalar(steps)*scalar(world.bodies().size())/max(progress.elapsed(), SMALL)
+        << " grain steps a second)" << nl
+        << "     " << summary.text().c_str() << nl
+        << "     kinetic over contact energy " << summary.unrest() << nl << endl;
+    return 0;
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Dry runs of smooth irregular grains, without a mesh");
+    argList::noParallel();
+    argList::noFunctionObjects();
+
+    argList args(argc, argv);
+    if (!args.checkRootCase())
+    {
+        return 1;
+    }
+    try
+    {
+        Time runTime(Time::controlDictName, args);
+        return run(runTime);
+    }
+    catch (const chesil::SetupError& error)
+    {
+        std::cerr << "chesilDEM: " << error.what() << std::endl;
+        return 1;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/base/vector.hpp"
+
+#include <cmath>
+
+namespace chesil
+{
+
+template <int Dim>
+class Rotation;
+
+/// A turn in the plane by an angle [rad], counter-clockwise. Cosine and sine are kept, since every
+/// support call needs them.
+template <>
+class Rotation<2>
+{
+public:
+    Rotation() = default;
+
+    explicit Rotation(double angle) : angle_(angle), cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
+
+    double angle() const { return angle_; }
+
+    /// From the grain's frame to the world's.
+    Vector2 apply(const Vector2& local) const
+    {
+        return Vector2(cosine_ * local.x() - sine_ * local.y(), sine_ * local.x() + cosine_ * local.y());
+    }
+
+    /// From the world's frame to the grain's.
+    Vector2 applyInverse(const Vector2& world) const
+    {
+        return Vector2(cosine_ * world.x() + sine_ * world.y(), cosine_ * world.y() - sine_ * world.x());
+    }
+
+private:
+    double angle_ = 0;
+    double cosine_ = 1;
+    double sine_ = 0;
+};
+
+/// Where a grain is: its centroid in the world [m] and its turn.
+template <int Dim>
+struct Pose
+{
+    Vector<Dim> position = Vector<Dim>::Zero();
+    Rotation<Dim> rotation;
+
+    Vector<Dim> toWorld(const Vector<Dim>& local) const { return position + rotation.apply(local); }
+
+    Vector<Dim> toLocal(const Vector<Dim>& world) const { return rotation.applyInverse(world - position); }
+};
+
+} // namespace chesil

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <limits>
+
+/// All tolerances of the engine, each relative to the size named beside it, each with its reason.
+namespace chesil::tolerances
+{
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// EPA stops when its bounds on the depth differ by less than this share of the two grains' radii.
+/// The depth then carries 9 digits: contact forces are proportional to depths of 1e-2..1e-6 radii,
+/// so that the force is exact to 1e-3 in the shallowest contact and far better in any that matters
+/// (benchmark epaTolerance shows the price of more).
+constexpr double expandingPolytope = 1e-9;
+
+/// Rounding floor of a support difference, in units of the two grains' radii: no solver can tell
+/// depths closer than this, and asking for more makes EPA blow up.
+constexpr double supportRounding = 8 * epsilon;
+
+/// Two unit tangents at a joint may differ by this angle [rad] and still count as the same (G1).
+/// Template files hold 17 digits, so that rounding leaves about 1e-15.
+constexpr double joint = 1e-12;
+
+/// A closed outline may turn inward by this angle [rad] at a vertex before it counts as not convex:
+/// far below any visible dent, far above the rounding of a straight run of points.
+constexpr double convexity = 1e-9;
+
+/// A boundary whose centroid lies within this share of its size from the origin is taken as centred: the
+/// rounding of the moments' sum over some tens of segments.
+constexpr double centroid = 1e-13;
+
+} // namespace chesil::tolerances

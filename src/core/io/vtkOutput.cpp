@@ -1,0 +1,158 @@
+#include "core/io/vtkOutput.hpp"
+
+#include "core/io/fileAside.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+
+namespace chesil
+{
+
+namespace
+{
+
+/// Chords leave the true outline by at most this share of a grain's size: a fifth of a pixel when the grain fills a
+/// screen of 1000 pixels.
+constexpr double outlineTolerance = 2e-4;
+
+struct Polyline
+{
+    std::vector<Vector2> points;
+};
+
+/// A named array with one number a cell.
+struct CellArray
+{
+    std::string name;
+    std::function<double(std::size_t)> value;
+};
+
+void writePolyData(std::ostream& file, const char* kind, const std::vector<Polyline>& cells, const std::vector<CellArray>& arrays)
+{
+    std::size_t points = 0;
+    for (const Polyline& cell : cells)
+    {
+        points += cell.points.size();
+    }
+    const bool polygons = std::string(kind) == "Polys";
+    file << "<?xml version=\"1.0\"?>\n"
+         << "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+         << "<Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << (polygons ? 0 : cells.size())
+         << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << (polygons ? cells.size() : 0) << "\">\n";
+
+    file.precision(9);
+    file << "<CellData>\n";
+    for (const CellArray& array : arrays)
+    {
+        file << "<DataArray type=\"Float64\" Name=\"" << array.name << "\" format=\"ascii\">\n";
+        for (std::size_t i = 0; i < cells.size(); ++i)
+        {
+            file << array.value(i) << '\n';
+        }
+        file << "</DataArray>\n";
+    }
+    file << "</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+    for (const Polyline& cell : cells)
+    {
+        for (const Vector2& point : cell.points)
+        {
+            file << point.x() << ' ' << point.y() << " 0\n";
+        }
+    }
+    file << "</DataArray>\n</Points>\n<" << kind << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+    for (std::size_t i = 0; i < points; ++i)
+    {
+        file << i << '\n';
+    }
+    file << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+    std::size_t offset = 0;
+    for (const Polyline& cell : cells)
+    {
+        offset += cell.points.size();
+        file << offset << '\n';
+    }
+    file << "</DataArray>\n</" << kind << ">\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+/// The part of a wall inside all other walls and near the grains.
+Polyline visiblePart(const HalfPlane<2>& wall, const World& world)
+{
+    double reach = 0;
+    for (std::size_t i = 0; i < world.bodies().size(); ++i)
+    {
+        reach = std::max(reach, (world.bodies().pose[i].position - wall.point).norm() + world.bodies().boundingRadius[i]);
+    }
+    const Vector2 tangent = perpendicular(wall.normal);
+    double from = -reach;
+    double to = reach;
+    for (const HalfPlane<2>& other : world.settings().walls)
+    {
+        const double slope = tangent.dot(other.normal);
+        if (&other != &wall && slope != 0)
+        {
+            const double crossing = -other.distance(wall.point) / slope;
+            (slope > 0 ? from : to) = slope > 0 ? std::max(from, crossing) : std::min(to, crossing);
+        }
+    }
+    return {{wall.point + from * tangent, wall.point + to * tangent}};
+}
+
+} // namespace
+
+VtkOutput::VtkOutput(std::string caseFolder, const World& world) : caseFolder_(std::move(caseFolder))
+{
+    std::filesystem::remove_all(caseFolder_ + "/grains");
+    std::filesystem::create_directories(caseFolder_ + "/grains");
+    std::vector<Polyline> walls;
+    for (const HalfPlane<2>& wall : world.settings().walls)
+    {
+        walls.push_back(visiblePart(wall, world));
+    }
+    writeAside(caseFolder_ + "/grains/walls.vtp", [&](std::ostream& file) { writePolyData(file, "Lines", walls, {}); });
+}
+
+void VtkOutput::write(const World& world, double time)
+{
+    const Bodies<2>& bodies = world.bodies();
+    std::vector<Polyline> grains;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        const Outline boundary = placed(outline(world.shapeOf(i)), bodies.pose[i]);
+        grains.push_back({outlinePoints(boundary, outlineTolerance * world.sizeOf(i))});
+    }
+    const std::vector<CellArray> arrays{
+        {"id", [](std::size_t i) { return static_cast<double>(i); }},
+        {"shape", [&](std::size_t i) { return static_cast<double>(bodies.shape[i]); }},
+        {"size", [&](std::size_t i) { return world.sizeOf(i); }},
+        {"angle", [&](std::size_t i) { return bodies.pose[i].rotation.angle(); }},
+        {"speed", [&](std::size_t i) { return bodies.velocity[i].norm(); }},
+        {"angularVelocity", [&](std::size_t i) { return bodies.angularVelocity[i]; }},
+    };
+
+    char name[64];
+    std::snprintf(name, sizeof name, "grains/grains_%06zu.vtp", written_.size());
+    writeAside(caseFolder_ + "/" + name, [&](std::ostream& file) { writePolyData(file, "Polys", grains, arrays); });
+    written_.emplace_back(time, name);
+    writeIndex();
+}
+
+void VtkOutput::writeIndex() const
+{
+    writeAside(
+        caseFolder_ + "/grains.pvd",
+        [&](std::ostream& file)
+        {
+            file.precision(12);
+            file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+            for (const auto& [time, name] : written_)
+            {
+                file << "<DataSet timestep=\"" << time << "\" part=\"0\" file=\"" << name << "\"/>\n";
+            }
+            file << "</Collection>\n</VTKFile>\n";
+        });
+}
+
+} // namespace chesil

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/world/world.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace chesil
+{
+
+/// Pictures of a run for ParaView: `<case>/grains/grains_<n>.vtp`, one closed polygon a grain along its true
+/// curved outline, `<case>/grains/walls.vtp`, and the index `<case>/grains.pvd`. All are written aside and
+/// renamed, so that none is ever seen half written. Throws SetupError if a file cannot be written.
+class VtkOutput
+{
+public:
+    /// Makes the folders and writes the walls.
+    VtkOutput(std::string caseFolder, const World& world);
+
+    /// The state at `time` [s], and the index of all states written so far.
+    void write(const World& world, double time);
+
+private:
+    void writeIndex() const;
+
+    std::string caseFolder_;
+    std::vector<std::pair<double, std::string>> written_;
+};
+
+} // namespace chesil

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/base/vector.hpp"
+#include "core/geometry/outline.hpp"
+#include "core/shapes/massProperties.hpp"
+
+namespace chesil
+{
+
+/// A disk, centred at the origin of its frame. Throws ValueError unless the radius [m] is finite and
+/// positive.
+class Circle
+{
+public:
+    static constexpr const char* typeName = "circle";
+
+    explicit Circle(double radius);
+
+    double radius() const { return radius_; }
+
+    Vector2 support(const Vector2& direction) const
+    {
+        const double length = direction.norm();
+        return length > 0 ? Vector2(direction * (radius_ / length)) : Vector2(radius_, 0);
+    }
+
+    double boundingRadius() const { return radius_; }
+
+    MassProperties massProperties() const;
+    Outline outline() const;
+
+private:
+    double radius_;
+};
+
+} // namespace chesil

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/vector.hpp"
+#include "core/geometry/outline.hpp"
+#include "core/shapes/massProperties.hpp"
+
+namespace chesil
+{
+
+/// An ellipse with half-axes a along x and b along y of its frame [m]. Throws ValueError unless both are
+/// finite and positive.
+class Ellipse
+{
+public:
+    static constexpr const char* typeName = "ellipse";
+
+    Ellipse(double a, double b);
+
+    double a() const { return a_; }
+    double b() const { return b_; }
+
+    /// The point (a^2 dx, b^2 dy)/sqrt(a^2 dx^2 + b^2 dy^2).
+    Vector2 support(const Vector2& direction) const
+    {
+        const Vector2 stretched(a_ * direction.x(), b_ * direction.y());
+        const double length = stretched.norm();
+        return length > 0 ? Vector2(a_ * stretched.x() / length, b_ * stretched.y() / length) : Vector2(a_, 0);
+    }
+
+    double boundingRadius() const { return a_ > b_ ? a_ : b_; }
+
+    MassProperties massProperties() const;
+    Outline outline() const;
+
+private:
+    double a_;
+    double b_;
+};
+
+} // namespace chesil

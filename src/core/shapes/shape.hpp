@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/shapes/circle.hpp"
+#include "core/shapes/convexPolygon.hpp"
+#include "core/shapes/ellipse.hpp"
+#include "core/shapes/polyBezier.hpp"
+
+#include <string>
+#include <variant>
+
+namespace chesil
+{
+
+/// The shapes a grain can have: the one line to lengthen for a new shape (doc/addAShape.md). Each
+/// offers support(direction), boundingRadius(), massProperties(), outline(), typeName; its frame has the
+/// origin at the centroid.
+using Shape = std::variant<Circle, Ellipse, ConvexPolygon, PolyBezier>;
+
+/// A shape under the name the user knows it by.
+struct NamedShape
+{
+    std::string name;
+    Shape shape;
+};
+
+inline double boundingRadius(const Shape& shape)
+{
+    return std::visit([](const auto& s) { return s.boundingRadius(); }, shape);
+}
+
+inline MassProperties massProperties(const Shape& shape)
+{
+    return std::visit([](const auto& s) { return s.massProperties(); }, shape);
+}
+
+inline Outline outline(const Shape& shape)
+{
+    return std::visit([](const auto& s) { return s.outline(); }, shape);
+}
+
+inline Vector2 support(const Shape& shape, const Vector2& direction)
+{
+    return std::visit([&](const auto& s) { return s.support(direction); }, shape);
+}
+
+} // namespace chesil

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/world/worldSettings.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace chesil
+{
+
+/// An upright rectangle in the world's frame [m].
+struct Box
+{
+    Vector2 lower;
+    Vector2 upper;
+};
+
+/// `number` grains on a square lattice in the box, filled row by row from below; shape and angle of each drawn
+/// at random (seeded, the same on any machine), the lattice as wide as the widest shape, so that none overlap.
+/// Throws ValueError if the widest shape does not fit into the box, or the box holds fewer places.
+std::vector<GrainState> placeOnLattice(
+    const std::vector<NamedShape>& shapes, const std::vector<int>& choice, int number, const Box& box, std::uint64_t seed);
+
+} // namespace chesil

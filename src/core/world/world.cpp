@@ -1,0 +1,324 @@
+#include "core/world/world.hpp"
+
+#include "core/dynamics/localDamping.hpp"
+#include "core/dynamics/stableTimeStep.hpp"
+#include "core/dynamics/velocityVerlet.hpp"
+#include "core/world/pairContact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace chesil
+{
+
+namespace
+{
+
+/// Share of the smallest grain's radius that grains may move before neighbours are searched again: the optimum
+/// between long lists and frequent searches is flat around it.
+constexpr double skinShare = 0.3;
+
+} // namespace
+
+World::World(WorldSettings settings) : settings_(std::move(settings))
+{
+    for (const NamedShape& named : settings_.shapes)
+    {
+        masses_.push_back(massProperties(named.shape));
+    }
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const GrainState& grain : settings_.grains)
+    {
+        const auto shape = static_cast<std::size_t>(grain.shape);
+        const double radius = boundingRadius(settings_.shapes[shape].shape);
+        const double mass = settings_.density * masses_[shape].area;
+        const double inertia = settings_.density * masses_[shape].polarMoment;
+        bodies_.pose.push_back({grain.position, Rotation<2>(grain.angle)});
+        bodies_.velocity.push_back(grain.velocity);
+        bodies_.angularVelocity.push_back(grain.angularVelocity);
+        bodies_.inverseMass.push_back(grain.driven ? 0 : 1 / mass);
+        bodies_.inverseInertia.push_back(grain.driven ? 0 : 1 / inertia);
+        bodies_.shape.push_back(grain.shape);
+        bodies_.boundingRadius.push_back(radius);
+        weights_.push_back(mass * settings_.gravity);
+        smallest = std::min(smallest, radius);
+    }
+    bodies_.force.assign(bodies_.size(), Vector2::Zero());
+    bodies_.torque.assign(bodies_.size(), 0.0);
+    skin_ = bodies_.size() > 0 ? skinShare * smallest : 0;
+}
+
+void World::immerse(double fluidDensity, double virtualMass)
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        weights_[i] = (settings_.density - fluidDensity) * areaOf(i) * settings_.gravity;
+        if (bodies_.inverseMass[i] > 0)
+        {
+            const double density = settings_.density + virtualMass * fluidDensity;
+            bodies_.inverseMass[i] = 1 / (density * areaOf(i));
+            bodies_.inverseInertia[i] = 1 / (density * polarMomentOf(i));
+        }
+    }
+}
+
+void World::setExternalLoads(const std::vector<Vector2>& forces, const std::vector<double>& torques)
+{
+    externalForces_ = forces;
+    externalTorques_ = torques;
+}
+
+void World::setMotion(std::size_t grain, const Pose<2>& pose, const Vector2& velocity, double angularVelocity)
+{
+    bodies_.pose[grain] = pose;
+    bodies_.velocity[grain] = velocity;
+    bodies_.angularVelocity[grain] = angularVelocity;
+}
+
+double World::sizeOf(std::size_t grain) const
+{
+    return 2 * std::sqrt(areaOf(grain) / M_PI);
+}
+
+double World::stableTimeStep() const
+{
+    const double stiffness = std::max(settings_.contact.normalStiffness, settings_.contact.tangentialStiffness);
+    double step = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        if (bodies_.inverseMass[i] > 0)
+        {
+            step = std::min(
+                step,
+                chesil::stableTimeStep(
+                    1 / bodies_.inverseMass[i],
+                    1 / bodies_.inverseInertia[i],
+                    bodies_.boundingRadius[i],
+                    stiffness,
+                    settings_.contact.dampingRatio));
+        }
+    }
+    return step;
+}
+
+StepStatus World::step(double timeStep)
+{
+    kick(bodies_, timeStep / 2);
+    drift(bodies_, timeStep);
+    updateForces(timeStep);
+    kick(bodies_, timeStep / 2);
+    return checkFinite();
+}
+
+void World::updateForces(double timeStep)
+{
+    updateNeighbours();
+    applyWeights();
+    for (Contact<2>& contact : contacts_)
+    {
+        resolve(contact, timeStep);
+    }
+    if (settings_.localDamping > 0)
+    {
+        dampLocally(bodies_, settings_.localDamping);
+    }
+}
+
+bool World::neighboursAreStale() const
+{
+    if (positionsAtSearch_.size() != bodies_.size())
+    {
+        return true;
+    }
+    const double most = skin_ / 2;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        // Written so that a position that is not a number asks for a search, too.
+        if (!((bodies_.pose[i].position - positionsAtSearch_[i]).squaredNorm() <= most * most))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+void World::updateNeighbours()
+{
+    if (bodies_.size() > 0 && neighboursAreStale())
+    {
+        positionsAtSearch_.resize(bodies_.size());
+        std::transform(
+            bodies_.pose.begin(), bodies_.pose.end(), positionsAtSearch_.begin(), [](const Pose<2>& p) { return p.position; });
+        findContacts();
+    }
+}
+
+void World::findContacts()
+{
+    std::swap(contacts_, lastContacts_);
+    contacts_.clear();
+    for (const auto& [first, second] : search_.find(positionsAtSearch_, bodies_.boundingRadius, skin_))
+    {
+        contacts_.push_back({first, second});
+    }
+    const auto firstWallContact = contacts_.size();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        for (std::size_t w = settings_.walls.size(); w-- > 0;)
+        {
+            if (settings_.walls[w].distance(positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + skin_)
+            {
+                contacts_.push_back({static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w)});
+            }
+        }
+    }
+
+    // What pairs remember goes along. Both lists are sorted by key within grains and within walls.
+    const auto carry = [](auto begin, auto end, auto oldBegin, auto oldEnd)
+    {
+        for (auto old = oldBegin; begin != end && old != oldEnd;)
+        {
+            if (begin->key() == old->key())
+            {
+                *begin++ = *old++;
+            }
+            else if (begin->key() < old->key())
+            {
+                ++begin;
+            }
+            else
+            {
+                ++old;
+            }
+        }
+    };
+    const auto isWall = [](const Contact<2>& contact) { return contact.withWall(); };
+    const auto wallBegin = contacts_.begin() + static_cast<std::ptrdiff_t>(firstWallContact);
+    const auto oldWallBegin = std::find_if(lastContacts_.begin(), lastContacts_.end(), isWall);
+    carry(contacts_.begin(), wallBegin, lastContacts_.begin(), oldWallBegin);
+    carry(wallBegin, contacts_.end(), oldWallBegin, lastContacts_.end());
+}
+
+void World::applyWeights()
+{
+    const bool loaded = !externalForces_.empty();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        bodies_.force[i] = loaded ? Vector2(weights_[i] + externalForces_[i]) : weights_[i];
+        bodies_.torque[i] = loaded ? externalTorques_[i] : 0;
+    }
+}
+
+void World::resolve(Contact<2>& contact, double timeStep)
+{
+    if (contact.withWall() ? touchesWall(contact) : touchesGrain(contact))
+    {
+        loadBodies(contact, timeStep);
+    }
+    else
+    {
+        contact.depth = 0;
+        contact.spring = Vector2::Zero();
+        contact.force = Vector2::Zero();
+    }
+}
+
+bool World::touchesGrain(Contact<2>& contact) const
+{
+    const auto i = static_cast<std::size_t>(contact.first);
+    const auto j = static_cast<std::size_t>(contact.second);
+    ContactGeometry<2> geometry;
+    const PairStatus status =
+        pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, geometry);
+    if (status != PairStatus::overlapping)
+    {
+        return false;
+    }
+    contact.depth = geometry.depth;
+    contact.normal = geometry.normal;
+    contact.point = geometry.point;
+    return true;
+}
+
+bool World::touchesWall(Contact<2>& contact) const
+{
+    const auto i = static_cast<std::size_t>(contact.first);
+    const HalfPlane<2>& wall = settings_.walls[contact.wall()];
+    const Pose<2>& pose = bodies_.pose[i];
+    if (wall.distance(pose.position) > bodies_.boundingRadius[i])
+    {
+        return false;
+    }
+    const Vector2 foot = std::visit([&](const auto& shape) { return footPoint(shape, pose, wall); }, shapeOf(i));
+    const double depth = -wall.distance(foot);
+    if (!(depth > 0))
+    {
+        return false;
+    }
+    contact.depth = depth;
+    contact.normal = -wall.normal;
+    contact.point = foot + depth / 2 * wall.normal;
+    return true;
+}
+
+void World::loadBodies(Contact<2>& contact, double timeStep)
+{
+    const auto i = static_cast<std::size_t>(contact.first);
+    const Vector2 armI = contact.point - bodies_.pose[i].position;
+    const Vector2 velocityI = bodies_.velocity[i] + velocityAt(bodies_.angularVelocity[i], armI);
+    double inverseMass = bodies_.inverseMass[i];
+    Vector2 relative = velocityI;
+    Vector2 armJ = Vector2::Zero();
+    if (!contact.withWall())
+    {
+        const auto j = static_cast<std::size_t>(contact.second);
+        armJ = contact.point - bodies_.pose[j].position;
+        relative -= bodies_.velocity[j] + velocityAt(bodies_.angularVelocity[j], armJ);
+        inverseMass += bodies_.inverseMass[j];
+    }
+    // Two driven bodies feel no force; any mass does.
+    const double effectiveMass = inverseMass > 0 ? 1 / inverseMass : 0;
+    const ContactState<2> state{contact.depth, contact.normal, relative, effectiveMass};
+    contact.force = contactForce(settings_.contact, state, timeStep, contact.spring);
+
+    bodies_.force[i] += contact.force;
+    bodies_.torque[i] += torqueOf(armI, contact.force);
+    if (!contact.withWall())
+    {
+        const auto j = static_cast<std::size_t>(contact.second);
+        bodies_.force[j] -= contact.force;
+        bodies_.torque[j] -= torqueOf(armJ, contact.force);
+    }
+}
+
+StepStatus World::checkFinite()
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        if (!bodies_.velocity[i].allFinite() || !std::isfinite(bodies_.angularVelocity[i])
+            || !bodies_.pose[i].position.allFinite())
+        {
+            brokenGrain_ = i;
+            return StepStatus::notFinite;
+        }
+    }
+    return StepStatus::done;
+}
+
+double World::largestRelativeOverlap() const
+{
+    double largest = 0;
+    for (const Contact<2>& contact : contacts_)
+    {
+        double size = sizeOf(static_cast<std::size_t>(contact.first));
+        if (!contact.withWall())
+        {
+            size = std::min(size, sizeOf(static_cast<std::size_t>(contact.second)));
+        }
+        largest = std::max(largest, contact.depth / size);
+    }
+    return largest;
+}
+
+} // namespace chesil

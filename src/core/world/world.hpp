@@ -1,0 +1,96 @@
+#pragma once
+
+#include "core/broadphase/neighbourList.hpp"
+#include "core/contact/contact.hpp"
+#include "core/dynamics/bodies.hpp"
+#include "core/world/worldSettings.hpp"
+
+#include <vector>
+
+namespace chesil
+{
+
+/// How a step ended.
+enum class StepStatus
+{
+    done,
+    /// A grain's position or velocity is no longer a finite number; `World::brokenGrain` tells which.
+    notFinite,
+};
+
+/// Grains, walls and contacts, and the step that moves them. One owner, no global state; the same settings give
+/// the same bits.
+class World
+{
+public:
+    /// The settings must have been checked by whoever read them (positive density, unit normals, known shapes).
+    explicit World(WorldSettings settings);
+
+    /// One step of velocity Verlet [s].
+    StepStatus step(double timeStep);
+
+    /// Contacts and forces of the state as it is, without moving anything; `step` wants this done once before.
+    void updateForces(double timeStep);
+
+    /// Forces [N] and torques [N m] from outside (a fluid, say), held until set again; entry i for grain i.
+    void setExternalLoads(const std::vector<Vector2>& forces, const std::vector<double>& torques);
+
+    /// Puts the grains into a fluid of the given density [kg/m3]: weights become weight less buoyancy, and each
+    /// grain's inertia is raised by `virtualMass` times that of the fluid it displaces. The coupling gives the
+    /// virtual part of the force back; see doc/coupling.md.
+    void immerse(double fluidDensity, double virtualMass);
+
+    /// Largest stable step [s] over all grains that move; infinite if none does.
+    double stableTimeStep() const;
+
+    const WorldSettings& settings() const { return settings_; }
+    const Bodies<2>& bodies() const { return bodies_; }
+
+    /// For whoever continues a run: sets the state of motion of one grain.
+    void setMotion(std::size_t grain, const Pose<2>& pose, const Vector2& velocity, double angularVelocity);
+
+    /// Near pairs, those in contact with depth > 0, sorted; grains with grains first, then with walls.
+    const std::vector<Contact<2>>& contacts() const { return contacts_; }
+
+    const Shape& shapeOf(std::size_t grain) const
+    {
+        return settings_.shapes[static_cast<std::size_t>(bodies_.shape[grain])].shape;
+    }
+
+    /// Area [m2] of grain i, and diameter of the disk of the same area [m].
+    double areaOf(std::size_t grain) const { return masses_[static_cast<std::size_t>(bodies_.shape[grain])].area; }
+    double polarMomentOf(std::size_t grain) const { return masses_[static_cast<std::size_t>(bodies_.shape[grain])].polarMoment; }
+    double sizeOf(std::size_t grain) const;
+
+    /// Largest overlap of a contact over the size of its smaller grain.
+    double largestRelativeOverlap() const;
+
+    std::size_t brokenGrain() const { return brokenGrain_; }
+
+private:
+    void updateNeighbours();
+    void findContacts();
+    bool neighboursAreStale() const;
+    void applyWeights();
+    void resolve(Contact<2>& contact, double timeStep);
+    bool touchesGrain(Contact<2>& contact) const;
+    bool touchesWall(Contact<2>& contact) const;
+    void loadBodies(Contact<2>& contact, double timeStep);
+    StepStatus checkFinite();
+
+    WorldSettings settings_;
+    std::vector<MassProperties> masses_;
+    Bodies<2> bodies_;
+    std::vector<Vector2> weights_;
+    std::vector<Vector2> externalForces_;
+    std::vector<double> externalTorques_;
+
+    NeighbourSearch search_;
+    double skin_ = 0;
+    std::vector<Vector2> positionsAtSearch_;
+    std::vector<Contact<2>> contacts_;
+    std::vector<Contact<2>> lastContacts_;
+    std::size_t brokenGrain_ = 0;
+};
+
+} // namespace chesil
