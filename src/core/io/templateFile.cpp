@@ -19,13 +19,10 @@ namespace
 {
 
 const std::vector<std::string> knownUnits{"m", "pixel"};
-const std::vector<std::string> knownTypes{
-    Circle::typeName, Ellipse::typeName, ConvexPolygon::typeName, PolyBezier::typeName};
+const std::vector<std::string> knownTypes{Circle::typeName, Ellipse::typeName, ConvexPolygon::typeName,
+                                          PolyBezier::typeName};
 
-std::string systemMessage()
-{
-    return errno != 0 ? std::strerror(errno) : "an input/output error";
-}
+std::string systemMessage() { return errno != 0 ? std::strerror(errno) : "an input/output error"; }
 
 /// The words of a text file, line by line: comments taken off, empty lines passed over.
 class LineReader
@@ -218,7 +215,8 @@ NamedShape readGrain(LineReader& reader)
     }
     catch (const ValueError& error)
     {
-        throw reader.failAt(line, ValueError("in grain '" + words[1] + "' " + error.found(), error.expected()));
+        throw reader.failAt(line,
+                            ValueError("in grain '" + words[1] + "' " + error.found(), error.expected()));
     }
 }
 
@@ -261,7 +259,8 @@ struct ShapeWriter
         for (const CubicBezier& segment : grain.segments())
         {
             const auto& points = segment.controlPoints();
-            file << pointText(points[0]) << ' ' << pointText(points[1]) << ' ' << pointText(points[2]) << '\n';
+            file << pointText(points[0]) << ' ' << pointText(points[1]) << ' ' << pointText(points[2])
+                 << '\n';
         }
     }
 };
@@ -286,7 +285,8 @@ void requireWritable(const std::string& path, const TemplateFile& templates)
         }
         if (!names.insert(grain.name).second)
         {
-            throw SetupError(path, "grain name", "'" + grain.name + "' twice", "a name of its own for each grain");
+            throw SetupError(path, "grain name", "'" + grain.name + "' twice",
+                             "a name of its own for each grain");
         }
     }
 }

@@ -78,7 +78,7 @@ void writePolyData(std::ostream& file, const char* kind, const std::vector<Polyl
 }
 
 /// The part of a wall inside all other walls and near the grains.
-Polyline visiblePart(const HalfPlane<2>& wall, const World& world)
+Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
 {
     double reach = 0;
     for (std::size_t i = 0; i < world.bodies().size(); ++i)
@@ -88,7 +88,7 @@ Polyline visiblePart(const HalfPlane<2>& wall, const World& world)
     const Vector2 tangent = perpendicular(wall.normal);
     double from = -reach;
     double to = reach;
-    for (const HalfPlane<2>& other : world.settings().walls)
+    for (const PlaneWall<2>& other : world.settings().walls)
     {
         const double slope = tangent.dot(other.normal);
         if (&other != &wall && slope != 0)
@@ -107,7 +107,7 @@ VtkOutput::VtkOutput(std::string caseFolder, const World& world) : caseFolder_(s
     std::filesystem::remove_all(caseFolder_ + "/grains");
     std::filesystem::create_directories(caseFolder_ + "/grains");
     std::vector<Polyline> walls;
-    for (const HalfPlane<2>& wall : world.settings().walls)
+    for (const PlaneWall<2>& wall : world.settings().walls)
     {
         walls.push_back(visiblePart(wall, world));
     }

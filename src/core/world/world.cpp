@@ -244,7 +244,7 @@ bool World::touchesGrain(Contact<2>& contact) const
 bool World::touchesWall(Contact<2>& contact) const
 {
     const auto i = static_cast<std::size_t>(contact.first);
-    const HalfPlane<2>& wall = settings_.walls[contact.wall()];
+    const PlaneWall<2>& wall = settings_.walls[contact.wall()];
     const Pose<2>& pose = bodies_.pose[i];
     if (wall.distance(pose.position) > bodies_.boundingRadius[i])
     {

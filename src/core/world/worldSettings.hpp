@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/boundary/halfPlane.hpp"
+#include "core/boundary/planeWall.hpp"
 #include "core/contact/linearLaw.hpp"
 #include "core/shapes/shape.hpp"
 
@@ -27,7 +27,7 @@ struct WorldSettings
 {
     std::vector<NamedShape> shapes;
     std::vector<GrainState> grains;
-    std::vector<HalfPlane<2>> walls;
+    std::vector<PlaneWall<2>> walls;
     /// [kg/m3]; 2D grains are 1 m deep.
     double density = 0;
     Vector2 gravity = Vector2::Zero();

@@ -86,6 +86,12 @@ Foam::checkedDictionary::checkedDictionary
 }
 
 
+Foam::checkedDictionary::checkedDictionary(const dictionary& dict)
+:
+    dict_(dict)
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 std::string Foam::checkedDictionary::file() const
@@ -129,7 +135,9 @@ void Foam::checkedDictionary::require(const word& name) const
         (
             name,
             "nothing (the entry is missing)",
-            "it; known names here: " + chesil::listOfNames(known_)
+            known_.empty()
+          ? "it"
+          : "it; known names here: " + chesil::listOfNames(known_)
         );
     }
 }
@@ -338,7 +346,7 @@ std::vector<Foam::word> Foam::checkedDictionary::subDictNames
     {
         if (!e.isDict())
         {
-            checkedDictionary(dict, {}).fail
+            checkedDictionary(dict).fail
             (
                 e.keyword(),
                 valueText(dict, e.keyword()),

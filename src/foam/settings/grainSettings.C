@@ -133,13 +133,8 @@ std::vector<chesil::GrainState> Foam::readGrains
     for (const word& name : checkedDictionary::subDictNames(dict))
     {
         const dictionary& sub = dict.subDict(name);
-        std::vector<std::string> anyName;
-        for (const entry& e : sub)
-        {
-            anyName.push_back(e.keyword());
-        }
         const std::string type =
-            checkedDictionary(sub, anyName).choice("type", {"lattice", "single"});
+            checkedDictionary(sub).choice("type", {"lattice", "single"});
         const auto some =
             type == "lattice" ? readLattice(sub, shapes) : readSingle(sub, shapes);
         grains.insert(grains.end(), some.begin(), some.end());

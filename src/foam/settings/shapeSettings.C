@@ -121,13 +121,8 @@ Foam::shapeGroups Foam::readShapes
     for (const word& name : checkedDictionary::subDictNames(dict))
     {
         const dictionary& shapeDict = dict.subDict(name);
-        std::vector<std::string> anyName;
-        for (const entry& e : shapeDict)
-        {
-            anyName.push_back(e.keyword());
-        }
         const std::string type =
-            checkedDictionary(shapeDict, anyName).choice("type", types);
+            checkedDictionary(shapeDict).choice("type", types);
 
         std::vector<int>& group = result.groups[name];
         for (NamedShape& shape : readers.at(type)(name, shapeDict, caseFolder))

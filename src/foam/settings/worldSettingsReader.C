@@ -17,6 +17,12 @@ using Foam::checkedDictionary;
 using Foam::dictionary;
 using Foam::scalar;
 
+const std::vector<std::string> knownNames
+{
+    "gravity", "material", "contact", "damping", "walls", "shapes", "grains",
+    "timeStep", "stopAtRest", "fluid"
+};
+
 chesil::LinearLaw readContact(const dictionary& dict)
 {
     const checkedDictionary entries
@@ -39,9 +45,9 @@ chesil::LinearLaw readContact(const dictionary& dict)
     return law;
 }
 
-std::vector<chesil::HalfPlane<2>> readWalls(const dictionary& dict)
+std::vector<chesil::PlaneWall<2>> readWalls(const dictionary& dict)
 {
-    std::vector<chesil::HalfPlane<2>> walls;
+    std::vector<chesil::PlaneWall<2>> walls;
     for (const Foam::word& name : checkedDictionary::subDictNames(dict))
     {
         const checkedDictionary entries(dict.subDict(name), {"point", "normal"});
@@ -71,7 +77,7 @@ void checkWalls(const checkedDictionary& entries, const chesil::WorldSettings& w
         const auto& shape = world.shapes[std::size_t(grain.shape)].shape;
         const chesil::Pose<2> pose
             {grain.position, chesil::Rotation<2>(grain.angle)};
-        for (const chesil::HalfPlane<2>& wall : world.walls)
+        for (const chesil::PlaneWall<2>& wall : world.walls)
         {
             const chesil::Vector2 foot = pose.toWorld
             (
@@ -140,20 +146,29 @@ Foam::autoPtr<Foam::IOdictionary> Foam::chesilProperties(const Time& runTime)
 }
 
 
+Foam::fluidSettings Foam::readFluid(const dictionary& properties)
+{
+    const checkedDictionary fluid
+    (
+        checkedDictionary(properties, knownNames).subDict("fluid"),
+        {"density", "penaltyCoefficient", "leftOver"}
+    );
+    fluidSettings result;
+    result.density = fluid.positive("density");
+    chesil::PenaltyRate& rate = result.rate;
+    rate.coefficient = fluid.number("penaltyCoefficient", rate.coefficient);
+    rate.leftOver = fluid.number("leftOver", rate.leftOver);
+    return result;
+}
+
+
 Foam::caseSettings Foam::readCase
 (
     const dictionary& properties,
     const Time& runTime
 )
 {
-    const checkedDictionary entries
-    (
-        properties,
-        {
-            "gravity", "material", "contact", "damping", "walls", "shapes",
-            "grains", "timeStep", "stopAtRest", "fluid"
-        }
-    );
+    const checkedDictionary entries(properties, knownNames);
 
     caseSettings result;
     chesil::WorldSettings& world = result.world;

@@ -10,7 +10,7 @@ namespace chesil
 
 /// A flat wall without end. Grains live on the side that the normal points to.
 template <int Dim>
-struct HalfPlane
+struct PlaneWall
 {
     std::string name;
     /// Any point on the wall [m].
@@ -23,7 +23,7 @@ struct HalfPlane
 
 /// The grain's point deepest in the wall (its foot point, world frame [m]) by one support call.
 template <int Dim, class ShapeType>
-Vector<Dim> footPoint(const ShapeType& shape, const Pose<Dim>& pose, const HalfPlane<Dim>& wall)
+Vector<Dim> footPoint(const ShapeType& shape, const Pose<Dim>& pose, const PlaneWall<Dim>& wall)
 {
     return pose.toWorld(shape.support(pose.rotation.applyInverse(-wall.normal)));
 }

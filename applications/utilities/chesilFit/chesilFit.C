@@ -1,0 +1,273 @@
+/*---------------------------------------------------------------------------*\
+    Chesil: smooth irregular grains, dry and in OpenFOAM flow
+    Licence: GPL-3.0-or-later, see LICENSE
+-------------------------------------------------------------------------------
+Application
+    chesilFit
+
+Group
+    grpChesil
+
+Description
+    Makes templates of smooth convex grains from an image of dark grains on a
+    light ground. Needs no case.
+
+    Writes a template file (doc/templateFile.md) with one polybezier grain for
+    each whole grain of the image, turned as in the image.
+
+Usage
+    \b chesilFit [OPTION] image
+
+    Options:
+      - \par -segments \<number\>
+        Bezier segments of each grain, default: 10
+
+      - \par -scale \<metres\>
+        Size of a pixel [m]; without it sizes are in pixels, and the file says so
+
+      - \par -output \<file\>
+        The template file, default: grains.chesil
+
+      - \par -report \<file\>
+        Table (CSV) of accuracy and time, one row a grain
+
+      - \par -placement \<file\>
+        Table (CSV) of each grain's centroid in the image
+
+      - \par -minPixels \<number\>
+        Grains of fewer pixels are dropped as specks, default: 200
+
+      - \par -threshold \<grey\>
+        Grey values (0 black to 255 white) up to this one are grain,
+        default: Otsu's choice
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "clockTime.H"
+
+#include "core/base/setupError.hpp"
+#include "core/io/templateFile.hpp"
+#include "generate/fit/fitTables.hpp"
+#include "generate/image/silhouetteReader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+static void declareOptions()
+{
+    argList::noBanner();
+    argList::noFunctionObjects();
+    argList::noJobInfo();
+    argList::noParallel();
+    argList::removeOption("case");
+    argList::addNote
+    (
+        "Make templates of smooth convex grains from an image of dark grains"
+        " on a light ground"
+    );
+    argList::addArgument("image", "PNG, JPEG or TIFF, colour or grey");
+    argList::addOption
+    (
+        "segments", "number", "Bezier segments of each grain (default: 10)"
+    );
+    argList::addOption
+    (
+        "scale", "metres", "Size of a pixel (default: none, sizes in pixels)"
+    );
+    argList::addOption
+    (
+        "output", "file", "The template file (default: grains.chesil)"
+    );
+    argList::addOption
+    (
+        "report", "file", "Table (CSV) of accuracy and time, one row a grain"
+    );
+    argList::addOption
+    (
+        "placement", "file", "Table (CSV) of each grain's centroid in the image"
+    );
+    argList::addOption
+    (
+        "minPixels",
+        "number",
+        "Grains of fewer pixels are dropped as specks (default: 200)"
+    );
+    argList::addOption
+    (
+        "threshold",
+        "grey",
+        "Grey values from 0 (black) up to this one are grain (default: Otsu's)"
+    );
+}
+
+
+//- The number that an option gives, if it is there. Read here, since argList
+//  would answer a NaN with a floating point exception
+static bool readNumber(const argList& args, const word& option, double& number)
+{
+    if (!args.found(option))
+    {
+        return false;
+    }
+    const string& text = args[option];
+    char* end = nullptr;
+    number = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(number))
+    {
+        throw chesil::SetupError
+        (
+            "(command line)", "-" + option, "'" + text + "'", "a number"
+        );
+    }
+    return true;
+}
+
+
+static bool readNumber(const argList& args, const word& option, int& number)
+{
+    double given = 0;
+    if (!readNumber(args, option, given))
+    {
+        return false;
+    }
+    if (given != std::floor(given) || std::abs(given) > 1e9)
+    {
+        throw chesil::SetupError
+        (
+            "(command line)", "-" + option, args[option], "a whole number"
+        );
+    }
+    number = int(given);
+    return true;
+}
+
+
+static void printMedian
+(
+    const char* title,
+    const std::vector<chesil::GrainFit>& fits,
+    double chesil::GrainFit::*member
+)
+{
+    std::vector<double> values;
+    for (const chesil::GrainFit& fit : fits)
+    {
+        values.push_back(fit.*member);
+    }
+    std::sort(values.begin(), values.end());
+    Info<< title << "median " << values[values.size()/2]
+        << ", least " << values.front()
+        << ", largest " << values.back() << endl;
+}
+
+
+static void printSummary
+(
+    const chesil::ImageGrains& image,
+    const std::vector<chesil::GrainFit>& fits,
+    const chesil::ImageSettings& settings
+)
+{
+    Info<< "Grains found              " << label(fits.size()) << nl
+        << "Specks dropped            " << image.specksDropped
+        << " (fewer than " << settings.minPixels << " pixels)" << nl
+        << "Border-touching dropped   " << image.borderDropped << endl;
+
+    printMedian("Accuracy to silhouette    ", fits, &chesil::GrainFit::accuracySilhouette);
+    printMedian("Accuracy to convex hull   ", fits, &chesil::GrainFit::accuracyHull);
+    printMedian("Milliseconds a grain      ", fits, &chesil::GrainFit::milliseconds);
+
+    const auto farFromConvex = std::count_if
+    (
+        fits.begin(),
+        fits.end(),
+        [](const chesil::GrainFit& fit) { return fit.accuracySilhouette < 0.9; }
+    );
+    if (farFromConvex)
+    {
+        Info<< "Note: the accuracy to the silhouette is below 0.9 for "
+            << label(farFromConvex) << " grains that are far from convex;"
+            << " a template is convex and fills their hollows" << endl;
+    }
+}
+
+
+static void run(const argList& args)
+{
+    const clockTime timer;
+    const fileName path = args.get<fileName>(1);
+
+    chesil::ImageSettings imageSettings;
+    readNumber(args, "minPixels", imageSettings.minPixels);
+    int threshold = 0;
+    if (readNumber(args, "threshold", threshold))
+    {
+        imageSettings.threshold = threshold;
+    }
+    chesil::FitSettings fitSettings;
+    readNumber(args, "segments", fitSettings.segments);
+    readNumber(args, "scale", fitSettings.scale);
+
+    const chesil::ImageGrains image = chesil::readGrains(path, imageSettings);
+    Info<< "Image " << path.c_str() << ": " << image.width << " x " << image.height
+        << " pixels, grey values up to " << image.threshold
+        << " taken as grain" << endl;
+    const std::vector<chesil::GrainFit> fits =
+        chesil::fitGrains(path, image, fitSettings);
+
+    chesil::TemplateFile templates;
+    templates.unit = args.found("scale") ? "m" : "pixel";
+    for (const chesil::GrainFit& fit : fits)
+    {
+        const std::string name = chesil::grainName(templates.grains.size());
+        templates.grains.push_back({name, fit.grain});
+    }
+    fileName output("grains.chesil");
+    args.readIfPresent("output", output);
+    chesil::writeTemplates(output, templates);
+    fileName table;
+    if (args.readIfPresent("report", table))
+    {
+        chesil::writeFitReport(table, fits);
+    }
+    if (args.readIfPresent("placement", table))
+    {
+        chesil::writePlacement(table, fits);
+    }
+
+    printSummary(image, fits, imageSettings);
+    Info<< "Templates                 " << output.c_str() << " (unit "
+        << templates.unit.c_str() << ")" << nl
+        << "Time                      " << timer.elapsedTime() << " s" << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    declareOptions();
+    const argList args(argc, argv);
+    try
+    {
+        run(args);
+    }
+    catch (const std::exception& problem)
+    {
+        std::cerr << "chesilFit: " << problem.what() << std::endl;
+        // The end of argList would make the exit status 0
+        std::exit(1);
+    }
+    return 0;
+}
+
+
+// ************************************************************************* //

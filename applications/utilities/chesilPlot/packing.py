@@ -1,0 +1,85 @@
+"""Grains of one state, with their true outlines, and the walls.
+
+Takes a .vtp file or the .pvd list of all times. The walls come from walls.vtp beside the grains.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+import style
+from plotError import PlotError
+from vtp import nearest, readPolyData, readSeries, readWalls
+
+# What Chesil's cell fields are called in a picture, and their units
+FIELD_LABELS = {
+    "size": "size [m]",
+    "speed": "speed [m/s]",
+    "angle": "angle [rad]",
+    "angularVelocity": "angular velocity [rad/s]",
+}
+
+
+def addOptions(parser):
+    parser.add_argument("file", metavar="<vtp or pvd>")
+    parser.add_argument("-time", type=float, metavar="<s>", help="of a .pvd, take the state at this time (default: last)")
+    parser.add_argument("-field", metavar="<name>", help="colour by this cell field (default: by size)")
+    parser.add_argument("-label", metavar="<text>", help="of the colour bar, with the unit")
+    parser.add_argument("-title", metavar="<text>")
+
+
+def areaOf(outline):
+    x, y = outline.T
+    return 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+
+
+def readState(options):
+    """(time or None, file) of the state to draw."""
+    if not options.file.endswith(".pvd"):
+        return None, options.file
+    entries = readSeries(options.file)
+    return entries[-1] if options.time is None else nearest(entries, options.time, options.file)
+
+
+def fieldValues(grains, options, factor, unit):
+    """One value a grain, and what to call it."""
+    if options.field is None:
+        diameters = [2 * np.sqrt(areaOf(outline) / np.pi) for outline in grains.outlines()]
+        return np.array(diameters) * factor, f"equivalent diameter [{unit}]"
+    if options.field not in grains.fields:
+        raise PlotError(f"no field '{options.field}' (known: {' '.join(sorted(grains.fields))})")
+    values = grains.fields[options.field]
+    if values.ndim > 1:
+        values = np.linalg.norm(values, axis=1)
+    return values, FIELD_LABELS.get(options.field, options.field)
+
+
+def regionInSight(grains, walls):
+    """(lower, upper corner) of grains and walls, without the empty part of a box far above the grains."""
+    everything = np.vstack(grains.outlines() + walls)
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    grainsTop = np.vstack(grains.outlines()).max(axis=0)[1]
+    high[1] = min(high[1], grainsTop + 0.1 * (high[0] - low[0]))
+    return low, high
+
+
+def draw(options):
+    time, path = readState(options)
+    grains = readPolyData(path)
+    if not grains.polygons:
+        raise PlotError(f"{path}: holds no grains")
+    walls = readWalls(Path(path).parent)
+
+    low, high = regionInSight(grains, walls)
+    factor, unit = style.lengthUnit((high - low).max() / 10)
+    values, label = fieldValues(grains, options, factor, unit)
+
+    figure, (axes,) = style.panels(1, high - low, tallest=5.0)
+    drawn = style.drawGrains(axes, [outline * factor for outline in grains.outlines()], array=values, cmap=style.SAND)
+    style.drawWalls(axes, [line * factor for line in walls])
+    style.show(axes, low * factor, high * factor)
+    style.placeLengthAxes(axes, unit)
+    style.scaleBar(axes, unit)
+    style.colourBar(drawn, axes, options.label or label)
+    axes.set_title(options.title or (f"{len(values)} grains" + (f" at {time:g} s" if time is not None else "")))
+    return figure

@@ -1,0 +1,242 @@
+/*---------------------------------------------------------------------------*\
+    Chesil: smooth irregular grains, dry and in OpenFOAM flow
+    Licence: GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "chesilGrains.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "fvMatrices.H"
+#include "fvMesh.H"
+
+#include "core/base/setupError.hpp"
+#include "meshCellView.H"
+#include "worldSettingsReader.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fv
+{
+    defineTypeNameAndDebug(chesilGrains, 0);
+    addToRunTimeSelectionTable(option, chesilGrains, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The velocity in the plane, as the coupling asks for it
+struct planeVelocity
+{
+    const Foam::vectorField& U;
+
+    chesil::Vector2 operator()(int cell) const
+    {
+        return {U[cell].x(), U[cell].y()};
+    }
+};
+
+//- Every rank ends with the sum, the same to the bit on each
+void sumOverRanks(chesil::GrainLoads& loads)
+{
+    Foam::List<Foam::scalar> values(3*Foam::label(loads.force.size()));
+    Foam::label k = 0;
+    for (std::size_t i = 0; i < loads.force.size(); ++i)
+    {
+        values[k++] = loads.force[i].x();
+        values[k++] = loads.force[i].y();
+        values[k++] = loads.torque[i];
+    }
+    Foam::Pstream::listCombineGather(values, Foam::plusEqOp<Foam::scalar>());
+    Foam::Pstream::listCombineScatter(values);
+    k = 0;
+    for (std::size_t i = 0; i < loads.force.size(); ++i)
+    {
+        loads.force[i].x() = values[k++];
+        loads.force[i].y() = values[k++];
+        loads.torque[i] = values[k++];
+    }
+}
+
+} // End namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fv::chesilGrains::build()
+{
+    const Time& runTime = mesh_.time();
+    const autoPtr<IOdictionary> properties = chesilProperties(runTime);
+    const caseSettings settings = readCase(properties(), runTime);
+    const fluidSettings fluid = readFluid(properties());
+    fluidDensity_ = fluid.density;
+
+    cells_ = cellViewOf(mesh_);
+    world_.reset(new chesil::World(settings.world));
+    forcing_.reset(new chesil::GrainForcing(*world_, cells_, fluid.rate));
+    response_.reset
+    (
+        new chesil::GrainResponse
+            (*world_, fluidDensity_, settings.run.shareOfStable)
+    );
+    loads_ = chesil::GrainLoads(world_->bodies().size());
+
+    if (Pstream::master())
+    {
+        pictures_.reset(new chesil::VtkOutput(runTime.globalPath(), *world_));
+        pictures_->write(*world_, runTime.value());
+    }
+    series_.reset(new grainSeries(name_, runTime));
+
+    Info<< "    Grains " << label(world_->bodies().size())
+        << ", cells a diameter of the smallest "
+        << "to come" << endl;
+}
+
+
+void Foam::fv::chesilGrains::moveTo
+(
+    const Time& runTime,
+    const volVectorField& U
+)
+{
+    writeSeries();
+    if (response_->advance(loads_, runTime.deltaTValue()) != chesil::StepStatus::done)
+    {
+        FatalErrorInFunction
+            << "at time " << runTime.value() << " s the state of grain "
+            << label(world_->brokenGrain()) << " is no finite number"
+            << exit(FatalError);
+    }
+
+    forcing_->updateGeometry(*world_);
+    const volScalarField& nu = mesh_.lookupObject<volScalarField>(viscosityName_);
+    forcing_->updateRates
+    (
+        planeVelocity{U.primitiveField()},
+        [&](int cell) { return nu[cell]; }
+    );
+    updateSolidFraction();
+
+    unwritten_ = runTime.value();
+    if (pictures_ && runTime.writeTime())
+    {
+        pictures_->write(*world_, runTime.value());
+    }
+}
+
+
+void Foam::fv::chesilGrains::updateSolidFraction()
+{
+    scalarField& fraction = solidFraction_.primitiveFieldRef();
+    fraction = 0;
+    for (const int cell : forcing_->touched())
+    {
+        fraction[cell] = forcing_->fraction(cell);
+    }
+}
+
+
+void Foam::fv::chesilGrains::writeSeries()
+{
+    if (unwritten_ >= 0)
+    {
+        series_->write(unwritten_, *world_, response_->hydrodynamicLoads());
+        unwritten_ = -1;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fv::chesilGrains::chesilGrains
+(
+    const word& name,
+    const word& modelType,
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    namedFieldsOption(name, modelType, dict, mesh),
+    viscosityName_(coeffs_.lookupOrDefault<word>("nu", "nu")),
+    solidFraction_
+    (
+        IOobject
+        (
+            "solidFraction",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar(dimless, Zero)
+    )
+{
+    setFields({coeffs_.lookupOrDefault<word>("U", "U")});
+    try
+    {
+        build();
+    }
+    catch (const chesil::SetupError& error)
+    {
+        FatalErrorInFunction << error.what() << exit(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::fv::chesilGrains::~chesilGrains()
+{
+    writeSeries();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fv::chesilGrains::addSup(fvMatrix<vector>& eqn, const label)
+{
+    const Time& runTime = mesh_.time();
+    if (runTime.timeIndex() != timeIndex_)
+    {
+        moveTo(runTime, eqn.psi());
+        timeIndex_ = runTime.timeIndex();
+    }
+
+    // eqn stands on the right-hand side: + rate*velocity - Sp(rate, U)
+    scalarField& diag = eqn.diag();
+    vectorField& source = eqn.source();
+    const scalarField& V = mesh_.V();
+    for (const int cell : forcing_->touched())
+    {
+        const scalar rate = forcing_->rate(cell)*V[cell];
+        const chesil::Vector2& velocity = forcing_->velocity(cell);
+        diag[cell] -= rate;
+        source[cell] -= rate*vector(velocity.x(), velocity.y(), 0);
+    }
+}
+
+
+void Foam::fv::chesilGrains::correct(volVectorField& U)
+{
+    loads_ = chesil::GrainLoads(world_->bodies().size());
+    forcing_->addLoads
+        (planeVelocity{U.primitiveField()}, fluidDensity_, loads_);
+    sumOverRanks(loads_);
+}
+
+
+bool Foam::fv::chesilGrains::read(const dictionary& dict)
+{
+    // Grains are read once, when the run starts
+    return option::read(dict);
+}
+
+
+// ************************************************************************* //

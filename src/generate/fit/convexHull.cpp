@@ -1,0 +1,146 @@
+#include "generate/fit/convexHull.hpp"
+
+#include "core/geometry/areaMoments.hpp"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/convex_hull_2.h>
+
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+namespace chesil
+{
+
+namespace
+{
+
+AreaMoments polygonMoments(const std::vector<Vector2>& vertices)
+{
+    AreaMoments moments;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+        moments += boundaryMoments(CubicBezier::straight(vertices[i], vertices[(i + 1) % vertices.size()]));
+    }
+    return moments;
+}
+
+/// Centres of the first and last dark pixel of each row: all that the hull needs.
+std::vector<Vector2> rowEndCentres(const Silhouette& silhouette)
+{
+    std::vector<Vector2> centres;
+    for (int y = 0; y < silhouette.height(); ++y)
+    {
+        int first = 0;
+        int last = silhouette.width() - 1;
+        while (first <= last && !silhouette.dark(first, y))
+        {
+            ++first;
+        }
+        while (last >= first && !silhouette.dark(last, y))
+        {
+            --last;
+        }
+        if (first <= last)
+        {
+            centres.emplace_back(first + 0.5, y + 0.5);
+            centres.emplace_back(last + 0.5, y + 0.5);
+        }
+    }
+    return centres;
+}
+
+std::vector<Vector2> boxAround(const std::vector<Vector2>& centres)
+{
+    Vector2 low = centres.front();
+    Vector2 high = low;
+    for (const Vector2& centre : centres)
+    {
+        low = low.cwiseMin(centre);
+        high = high.cwiseMax(centre);
+    }
+    low -= Vector2(0.5, 0.5);
+    high += Vector2(0.5, 0.5);
+    return {low, Vector2(high.x(), low.y()), high, Vector2(low.x(), high.y())};
+}
+
+/// The part of a convex polygon where normal . x <= offset.
+std::vector<Vector2> clipped(const std::vector<Vector2>& polygon, const Vector2& normal, double offset)
+{
+    std::vector<Vector2> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+        const Vector2& a = polygon[i];
+        const Vector2& b = polygon[(i + 1) % polygon.size()];
+        const double beyondA = normal.dot(a) - offset;
+        const double beyondB = normal.dot(b) - offset;
+        if (beyondA <= 0)
+        {
+            kept.push_back(a);
+        }
+        if ((beyondA < 0 && beyondB > 0) || (beyondA > 0 && beyondB < 0))
+        {
+            kept.push_back(a + beyondA / (beyondA - beyondB) * (b - a));
+        }
+    }
+    return kept;
+}
+
+/// Without vertices that rounding alone tells from the one before.
+std::vector<Vector2> withoutTinyEdges(const std::vector<Vector2>& polygon)
+{
+    constexpr double tiny = 1e-6;
+    std::vector<Vector2> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+        if ((polygon[(i + 1) % polygon.size()] - polygon[i]).norm() > tiny)
+        {
+            kept.push_back(polygon[i]);
+        }
+    }
+    return kept;
+}
+
+} // namespace
+
+std::vector<Vector2> convexOutline(const Silhouette& silhouette)
+{
+    const std::vector<Vector2> centres = rowEndCentres(silhouette);
+    const std::vector<Vector2> hull = convexHull(centres);
+    std::vector<Vector2> outline = boxAround(centres);
+    for (std::size_t i = 0; i < hull.size() && hull.size() > 1; ++i)
+    {
+        const Vector2 edge = hull[(i + 1) % hull.size()] - hull[i];
+        const int steps = std::gcd(static_cast<int>(edge.x()), static_cast<int>(edge.y()));
+        const Vector2 normal = -perpendicular(edge).normalized();
+        outline = clipped(outline, normal, normal.dot(hull[i]) + 0.5 * steps / edge.norm());
+    }
+    return withoutTinyEdges(outline);
+}
+
+std::vector<Vector2> convexHull(const std::vector<Vector2>& points)
+{
+    using Kernel = CGAL::Simple_cartesian<double>;
+    std::vector<Kernel::Point_2> given;
+    given.reserve(points.size());
+    for (const Vector2& point : points)
+    {
+        given.emplace_back(point.x(), point.y());
+    }
+    std::vector<Kernel::Point_2> found;
+    CGAL::convex_hull_2(given.begin(), given.end(), std::back_inserter(found));
+
+    std::vector<Vector2> hull;
+    hull.reserve(found.size());
+    for (const Kernel::Point_2& point : found)
+    {
+        hull.emplace_back(point.x(), point.y());
+    }
+    return hull;
+}
+
+double polygonArea(const std::vector<Vector2>& vertices) { return polygonMoments(vertices).area; }
+
+Vector2 polygonCentroid(const std::vector<Vector2>& vertices) { return polygonMoments(vertices).centroid(); }
+
+} // namespace chesil

@@ -1,0 +1,55 @@
+#include "generate/fit/fitTables.hpp"
+
+#include "core/base/setupError.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+
+namespace chesil
+{
+
+namespace
+{
+
+template <class WriteRow>
+void writeTable(const std::string& path, const char* header, const std::vector<GrainFit>& fits,
+                const WriteRow& writeRow)
+{
+    errno = 0;
+    std::ofstream file(path);
+    file << header << '\n';
+    for (std::size_t i = 0; i < fits.size(); ++i)
+    {
+        file << grainName(i) << ',';
+        writeRow(file, fits[i]);
+        file << '\n';
+    }
+    file.close();
+    if (!file)
+    {
+        throw SetupError(path, "output file", std::strerror(errno), "a path that can be written");
+    }
+}
+
+} // namespace
+
+void writeFitReport(const std::string& path, const std::vector<GrainFit>& fits)
+{
+    writeTable(path, "id,pixels,accuracySilhouette,accuracyHull,segments,milliseconds", fits,
+               [](std::ostream& row, const GrainFit& fit)
+               {
+                   row << fit.pixels << ',' << fit.accuracySilhouette << ',' << fit.accuracyHull << ','
+                       << fit.grain.segments().size() << ',' << fit.milliseconds;
+               });
+}
+
+void writePlacement(const std::string& path, const std::vector<GrainFit>& fits)
+{
+    writeTable(path, "id,x,y", fits,
+               [](std::ostream& row, const GrainFit& fit)
+               { row << std::setprecision(17) << fit.centroid.x() << ',' << fit.centroid.y(); });
+}
+
+} // namespace chesil

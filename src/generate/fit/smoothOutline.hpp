@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/base/vector.hpp"
+#include "core/geometry/cubicBezier.hpp"
+
+#include <vector>
+
+namespace chesil
+{
+
+constexpr int fewestSegments = 3;
+constexpr int mostSegments = 64;
+
+/// Fits a smooth (G1) convex outline of cubic segments to a convex polygon, with the joints at the support
+/// points of equally spaced directions (Lai & Huang, section 4, steps 2-4).
+///
+/// Minimises the mean squared distance between curve and polygon over all offsets, joints and handles at once
+/// (see JointFrame): Gauss-Newton with a logarithmic barrier that keeps every gap positive, so that each
+/// iterate is convex and G1. A corner of the polygon becomes a tight bend: the shortest handle is
+/// 1e-3 of the radius of the circle of equal area, which leaves joints G1 to 1e-12 in doubles.
+///
+/// `polygon`: counter-clockwise, convex, any units. The segments are in the same frame. Throws ValueError if
+/// the number of segments is not within [fewestSegments, mostSegments] or the polygon has no area.
+std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, int segments);
+
+} // namespace chesil
