@@ -23,7 +23,10 @@ public:
     explicit RandomSource(std::uint64_t seed) : bits_(seed) {}
 
     /// In [low, high).
-    double uniform(double low, double high) { return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53); }
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
+    }
 
     /// In [low, high), evenly in the logarithm; 0 < low.
     double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
@@ -160,8 +163,8 @@ inline std::vector<double> randomNormalAngles(int count, RandomSource& random)
 /// The segment between two boundary points of a convex body whose outward normals have these angles. Its
 /// control edges lie on the tangents (G1 at the joints) and reach `share0`, `share1` in (0, 1] of the way
 /// to their crossing, which makes the control polygon convex.
-inline CubicBezier tangentSegment(
-    const Vector2& start, double startNormal, const Vector2& end, double endNormal, double share0, double share1)
+inline CubicBezier tangentSegment(const Vector2& start, double startNormal, const Vector2& end,
+                                  double endNormal, double share0, double share1)
 {
     if (startNormal == endNormal)
     {

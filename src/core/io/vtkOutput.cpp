@@ -77,17 +77,18 @@ void writePolyData(std::ostream& file, const char* kind, const std::vector<Polyl
     file << "</DataArray>\n</" << kind << ">\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
-/// The part of a wall inside all other walls and near the grains.
+/// The part of a wall inside all other walls, as long as the grains' extent along it.
 Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
 {
-    double reach = 0;
+    const Vector2 tangent = perpendicular(wall.normal);
+    double from = 0;
+    double to = 0;
     for (std::size_t i = 0; i < world.bodies().size(); ++i)
     {
-        reach = std::max(reach, (world.bodies().pose[i].position - wall.point).norm() + world.bodies().boundingRadius[i]);
+        const double along = tangent.dot(world.bodies().pose[i].position - wall.point);
+        from = std::min(from, along - world.bodies().boundingRadius[i]);
+        to = std::max(to, along + world.bodies().boundingRadius[i]);
     }
-    const Vector2 tangent = perpendicular(wall.normal);
-    double from = -reach;
-    double to = reach;
     for (const PlaneWall<2>& other : world.settings().walls)
     {
         const double slope = tangent.dot(other.normal);

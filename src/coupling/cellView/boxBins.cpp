@@ -40,8 +40,8 @@ int BoxBins::binAlong(int axis, double coordinate) const
 
 BoxBins::BinRange BoxBins::rangeOf(const Box& box) const
 {
-    return {
-        {binAlong(0, box.low.x()), binAlong(1, box.low.y())}, {binAlong(0, box.high.x()), binAlong(1, box.high.y())}};
+    return {{binAlong(0, box.low.x()), binAlong(1, box.low.y())},
+            {binAlong(0, box.high.x()), binAlong(1, box.high.y())}};
 }
 
 void BoxBins::fill()
@@ -90,8 +90,8 @@ void BoxBins::overlapping(const Box& query, std::vector<int>& found) const
                 const int box = members_[k];
                 const BinRange own = rangeOf(boxes_[box]);
                 // Of all bins that hold the box under the query, the first one reports it.
-                const bool first =
-                    i == std::max(range.first[0], own.first[0]) && j == std::max(range.first[1], own.first[1]);
+                const bool first = i == std::max(range.first[0], own.first[0]) &&
+                                   j == std::max(range.first[1], own.first[1]);
                 if (first && boxes_[box].overlaps(query))
                 {
                     found.push_back(box);

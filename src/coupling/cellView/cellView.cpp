@@ -14,7 +14,8 @@ namespace
 
 void requireOffsets(const std::vector<int>& offsets, std::size_t vertexCount)
 {
-    const std::string wanted = "offsets that rise from 0 to the number of vertices, " + std::to_string(vertexCount);
+    const std::string wanted =
+        "offsets that rise from 0 to the number of vertices, " + std::to_string(vertexCount);
     if (offsets.empty() || offsets.front() != 0)
     {
         throw ValueError("offsets that do not begin with 0", wanted);
@@ -40,7 +41,8 @@ void requireConvexCell(int cell, const CellPolygon& polygon)
     }
     catch (const ValueError& error)
     {
-        throw ValueError("cell " + std::to_string(cell) + " with " + error.found(), "for each cell " + error.expected());
+        throw ValueError("cell " + std::to_string(cell) + " with " + error.found(),
+                         "for each cell " + error.expected());
     }
 }
 
@@ -69,7 +71,7 @@ AreaAndCentre areaAndCentre(const CellPolygon& polygon)
 } // namespace
 
 CellView::CellView(std::vector<int> offsets, std::vector<Vector2> vertices)
-: offsets_(std::move(offsets)), vertices_(std::move(vertices))
+    : offsets_(std::move(offsets)), vertices_(std::move(vertices))
 {
     requireOffsets(offsets_, vertices_.size());
     const std::size_t count = offsets_.size() - 1;

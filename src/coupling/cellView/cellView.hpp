@@ -60,7 +60,10 @@ public:
 
     /// Replaces `found` by all cells whose boxes overlap the query [m], each once, in rising order.
     /// Allocates only if `found` has to grow.
-    void cellsOverlapping(const Box& query, std::vector<int>& found) const { bins_.overlapping(query, found); }
+    void cellsOverlapping(const Box& query, std::vector<int>& found) const
+    {
+        bins_.overlapping(query, found);
+    }
 
 private:
     std::vector<int> offsets_{0};

@@ -15,7 +15,7 @@ namespace chesil
 /// the constants do to the drag.
 struct PenaltyRate
 {
-    double coefficient = 1;
+    double coefficient = 8;
     double leftOver = 1e-4;
 
     double operator()(double solidFraction, double viscosity, double width, double speed) const

@@ -59,17 +59,14 @@ void ClippedRegion::appendInside(const BoundaryPiece& piece, const HalfPlane& pl
 
     const OutlinePiece& curve = outline_->curves()[piece.curve];
     const CubicBezier* cubic = std::get_if<CubicBezier>(&curve);
-    const ParameterRanges inside = cubic
-        ? partsInside(*cubic, piece.from, piece.to, distanceStart, distanceEnd, plane)
-        : partsInside(std::get<EllipticArc>(curve), piece.from, piece.to, plane);
+    const ParameterRanges inside =
+        cubic ? partsInside(*cubic, piece.from, piece.to, distanceStart, distanceEnd, plane)
+              : partsInside(std::get<EllipticArc>(curve), piece.from, piece.to, plane);
     for (const auto& range : inside)
     {
-        append(
-            {piece.curve,
-             range.from,
-             range.to,
-             range.from == piece.from ? piece.start : pointAt(curve, range.from),
-             range.to == piece.to ? piece.end : pointAt(curve, range.to)});
+        append({piece.curve, range.from, range.to,
+                range.from == piece.from ? piece.start : pointAt(curve, range.from),
+                range.to == piece.to ? piece.end : pointAt(curve, range.to)});
     }
 }
 
@@ -89,8 +86,8 @@ void ClippedRegion::cut(const HalfPlane& plane)
 
 bool ClippedRegion::boundedByLines() const
 {
-    return std::all_of(
-        pieces_.begin(), pieces_.end(), [](const BoundaryPiece& piece) { return piece.curve == BoundaryPiece::chord; });
+    return std::all_of(pieces_.begin(), pieces_.end(),
+                       [](const BoundaryPiece& piece) { return piece.curve == BoundaryPiece::chord; });
 }
 
 RegionMoments ClippedRegion::moments() const
@@ -111,9 +108,9 @@ RegionMoments ClippedRegion::moments() const
         }
         const OutlinePiece& curve = outline_->curves()[piece.curve];
         const CubicBezier* cubic = std::get_if<CubicBezier>(&curve);
-        const RegionMoments sliver = cubic
-            ? sliverMoments(*cubic, piece.from, piece.to)
-            : sliverMoments(std::get<EllipticArc>(curve), piece.from, piece.to, piece.start);
+        const RegionMoments sliver =
+            cubic ? sliverMoments(*cubic, piece.from, piece.to)
+                  : sliverMoments(std::get<EllipticArc>(curve), piece.from, piece.to, piece.start);
         total += sliver.aboutPoint(-start);
     }
     return total.aboutPoint(-reference);

@@ -60,7 +60,8 @@ int extrema(const DistanceCubic& distance, double from, double to, std::array<do
 
 /// The zero between `low` and `high`, where the distance is monotone and its sign differs: Newton from the
 /// secant's zero, halving the bracket wherever Newton would leave it.
-double crossing(const DistanceCubic& distance, double low, double high, double distanceLow, double distanceHigh)
+double crossing(const DistanceCubic& distance, double low, double high, double distanceLow,
+                double distanceHigh)
 {
     // A cubic's value carries a rounding of this order: a smaller one is zero.
     const auto& d = distance.d;
@@ -94,8 +95,8 @@ double crossing(const DistanceCubic& distance, double low, double high, double d
 
 } // namespace
 
-ParameterRanges
-partsInside(const CubicBezier& curve, double from, double to, double distanceFrom, double distanceTo, const HalfPlane& plane)
+ParameterRanges partsInside(const CubicBezier& curve, double from, double to, double distanceFrom,
+                            double distanceTo, const HalfPlane& plane)
 {
     ParameterRanges inside;
     DistanceCubic distance;

@@ -47,8 +47,8 @@ struct ParameterRanges
 /// The parts of curve(t), from <= t <= to, that lie in the half-plane. `distanceFrom` and `distanceTo` are
 /// the distances of the two ends as the caller knows them: neighbouring pieces that share a joint then agree
 /// on which side it lies, whatever the rounding of curve(t). Derived in doc/solidFraction.md.
-ParameterRanges
-partsInside(const CubicBezier& curve, double from, double to, double distanceFrom, double distanceTo, const HalfPlane& plane);
+ParameterRanges partsInside(const CubicBezier& curve, double from, double to, double distanceFrom,
+                            double distanceTo, const HalfPlane& plane);
 
 /// The same for an arc of at most one turn; parameters are angles [rad].
 ParameterRanges partsInside(const EllipticArc& arc, double from, double to, const HalfPlane& plane);

@@ -21,7 +21,8 @@ void forEachChord(const CubicBezier& segment, const Visit& visit)
     Vector2 last = segment.start();
     for (int i = 1; i <= edgesPerSegment; ++i)
     {
-        const Vector2 next = i < edgesPerSegment ? segment.at(static_cast<double>(i) / edgesPerSegment) : segment.end();
+        const Vector2 next =
+            i < edgesPerSegment ? segment.at(static_cast<double>(i) / edgesPerSegment) : segment.end();
         visit(last, next);
         last = next;
     }
@@ -74,16 +75,13 @@ bool InscribedPolygon::contains(const std::vector<Vector2>& points) const
     {
         return true;
     }
-    return std::all_of(
-        points.begin(),
-        points.end(),
-        [this](const Vector2& point)
-        {
-            return std::all_of(
-                edges_.begin(),
-                edges_.end(),
-                [&](const Edge& edge) { return edge.normal.dot(point) >= edge.offset; });
-        });
+    return std::all_of(points.begin(), points.end(),
+                       [this](const Vector2& point)
+                       {
+                           return std::all_of(edges_.begin(), edges_.end(),
+                                              [&](const Edge& edge)
+                                              { return edge.normal.dot(point) >= edge.offset; });
+                       });
 }
 
 } // namespace chesil

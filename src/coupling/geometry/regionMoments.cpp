@@ -36,9 +36,9 @@ RegionMoments sliverMoments(const CubicBezier& curve, double from, double to)
     const double c23 = cross(c2, c3);
     RegionMoments moments;
     moments.area = (c12 / 3 + c13 / 2 + c23 / 5) / 2;
-    moments.first = (c1 * (c12 / 4 + 2 * c13 / 5 + c23 / 6) + c2 * (c12 / 5 + c13 / 3 + c23 / 7)
-                     + c3 * (c12 / 6 + 2 * c13 / 7 + c23 / 8))
-        / 3;
+    moments.first = (c1 * (c12 / 4 + 2 * c13 / 5 + c23 / 6) + c2 * (c12 / 5 + c13 / 3 + c23 / 7) +
+                     c3 * (c12 / 6 + 2 * c13 / 7 + c23 / 8)) /
+                    3;
     return moments;
 }
 
@@ -49,8 +49,8 @@ RegionMoments sliverMoments(const EllipticArc& arc, double from, double to, cons
     const double sine = std::sin(half);
     const double middle = from + half;
     const Vector2 outward = std::cos(middle) * arc.axisA + std::sin(middle) * arc.axisB;
-    const RegionMoments aboutCentre{
-        doubled / 2 * angleMinusSine(to - from), doubled * (2.0 / 3.0) * sine * sine * sine * outward};
+    const RegionMoments aboutCentre{doubled / 2 * angleMinusSine(to - from),
+                                    doubled * (2.0 / 3.0) * sine * sine * sine * outward};
     return aboutCentre.aboutPoint(start - arc.centre);
 }
 

@@ -21,7 +21,8 @@ CubicBezier turned(const CubicBezier& segment, const Rotation<2>& rotation)
 
 EllipticArc turned(const EllipticArc& arc, const Rotation<2>& rotation)
 {
-    return {rotation.apply(arc.centre), rotation.apply(arc.axisA), rotation.apply(arc.axisB), arc.from, arc.to};
+    return {rotation.apply(arc.centre), rotation.apply(arc.axisA), rotation.apply(arc.axisB), arc.from,
+            arc.to};
 }
 
 BoundaryPiece wholePiece(const CubicBezier& segment, int curve)

@@ -78,7 +78,10 @@ void Foam::fv::chesilGrains::build()
 
     cells_ = cellViewOf(mesh_);
     world_.reset(new chesil::World(settings.world));
-    forcing_.reset(new chesil::GrainForcing(*world_, cells_, fluid.rate));
+    forcing_.reset
+    (
+        new chesil::GrainForcing(*world_, cells_, chesil::PenaltyRate())
+    );
     response_.reset
     (
         new chesil::GrainResponse
@@ -93,9 +96,31 @@ void Foam::fv::chesilGrains::build()
     }
     series_.reset(new grainSeries(name_, runTime));
 
-    Info<< "    Grains " << label(world_->bodies().size())
-        << ", cells a diameter of the smallest "
-        << "to come" << endl;
+    forcing_->updateGeometry(*world_);
+    updateSolidFraction();
+    reportResolution();
+}
+
+
+void Foam::fv::chesilGrains::reportResolution() const
+{
+    scalar widest = 0;
+    for (const int cell : forcing_->touched())
+    {
+        widest = max(widest, cells_.width(cell));
+    }
+    reduce(widest, maxOp<scalar>());
+    scalar smallest = GREAT;
+    for (std::size_t i = 0; i < world_->bodies().size(); ++i)
+    {
+        smallest = min(smallest, world_->sizeOf(i));
+    }
+    Info<< "    Grains " << label(world_->bodies().size());
+    if (widest > 0)
+    {
+        Info<< ", at least " << smallest/widest << " cells a diameter";
+    }
+    Info<< endl;
 }
 
 

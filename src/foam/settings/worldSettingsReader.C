@@ -149,15 +149,9 @@ Foam::autoPtr<Foam::IOdictionary> Foam::chesilProperties(const Time& runTime)
 Foam::fluidSettings Foam::readFluid(const dictionary& properties)
 {
     const checkedDictionary fluid
-    (
-        checkedDictionary(properties, knownNames).subDict("fluid"),
-        {"density", "penaltyCoefficient", "leftOver"}
-    );
+        (checkedDictionary(properties, knownNames).subDict("fluid"), {"density"});
     fluidSettings result;
     result.density = fluid.positive("density");
-    chesil::PenaltyRate& rate = result.rate;
-    rate.coefficient = fluid.number("penaltyCoefficient", rate.coefficient);
-    rate.leftOver = fluid.number("leftOver", rate.leftOver);
     return result;
 }
 

@@ -16,15 +16,9 @@ namespace chesil::test
 using LongPoint = std::complex<long double>;
 using LongPolygon = std::vector<LongPoint>;
 
-inline LongPoint longPoint(const Vector2& p)
-{
-    return {p.x(), p.y()};
-}
+inline LongPoint longPoint(const Vector2& p) { return {p.x(), p.y()}; }
 
-inline long double longCross(const LongPoint& a, const LongPoint& b)
-{
-    return (std::conj(a) * b).imag();
-}
+inline long double longCross(const LongPoint& a, const LongPoint& b) { return (std::conj(a) * b).imag(); }
 
 /// Relative to `origin`.
 inline LongPolygon longPolygon(const CellPolygon& cell, const Vector2& origin)
@@ -100,9 +94,10 @@ inline LongPolygon finePolygon(const Outline& outline, double angle, int count)
         {
             for (int i = 0; i < 10 * count; ++i)
             {
-                const long double a = arc->from + (static_cast<long double>(arc->to) - arc->from) * i / (10 * count);
-                points.push_back(
-                    turn * (longPoint(arc->centre) + std::cos(a) * longPoint(arc->axisA) + std::sin(a) * longPoint(arc->axisB)));
+                const long double a =
+                    arc->from + (static_cast<long double>(arc->to) - arc->from) * i / (10 * count);
+                points.push_back(turn * (longPoint(arc->centre) + std::cos(a) * longPoint(arc->axisA) +
+                                         std::sin(a) * longPoint(arc->axisB)));
             }
             continue;
         }
@@ -111,10 +106,8 @@ inline LongPolygon finePolygon(const Outline& outline, double angle, int count)
         {
             const long double t = static_cast<long double>(i) / count;
             const long double s = 1 - t;
-            points.push_back(
-                turn
-                * (s * s * s * longPoint(p[0]) + 3 * s * s * t * longPoint(p[1]) + 3 * s * t * t * longPoint(p[2])
-                   + t * t * t * longPoint(p[3])));
+            points.push_back(turn * (s * s * s * longPoint(p[0]) + 3 * s * s * t * longPoint(p[1]) +
+                                     3 * s * t * t * longPoint(p[2]) + t * t * t * longPoint(p[3])));
         }
     }
     return points;
@@ -157,7 +150,8 @@ inline long double areaInUnitDisk(const LongPolygon& polygon)
     return area;
 }
 
-/// Area of a cell's part in an ellipse with half-axes a, b [m] and this pose: the affine map to the unit disk.
+/// Area of a cell's part in an ellipse with half-axes a, b [m] and this pose: the affine map to the unit
+/// disk.
 inline long double areaInEllipse(const CellPolygon& cell, double a, double b, const Pose<2>& pose)
 {
     LongPolygon polygon;

@@ -101,7 +101,8 @@ TEST(CellView, measuresFarFromTheOrigin)
 {
     // Every coordinate is a binary number, so that the far cell is the near one to the bit.
     const Vector2 far(0x1p30, -0x1p30);
-    const CellView mesh = oneCell({far, far + Vector2(0.5, 0), far + Vector2(0.5, 0.25), far + Vector2(0, 0.25)});
+    const CellView mesh =
+        oneCell({far, far + Vector2(0.5, 0), far + Vector2(0.5, 0.25), far + Vector2(0, 0.25)});
     EXPECT_DOUBLE_EQ(mesh.area(0), 0.125);
     EXPECT_EQ(mesh.centre(0), far + Vector2(0.25, 0.125));
 }

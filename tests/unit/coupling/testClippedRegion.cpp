@@ -84,15 +84,16 @@ TEST(ClippedRegion, capOfACubicThatBulgesThroughAnEdge)
     const Vector2 a(0, 0), b(0, 4.0 / 3), c(4, 4.0 / 3), d(4, 0);
     const PolyBezier grain({CubicBezier({d, c, b, a}), CubicBezier({a, Vector2(0, -1), Vector2(4, -1), d})});
     const Vector2 shift = -grain.givenCentroid();
-    // y(t) = 4 t (1 - t) = 3/4 at t = 1/4 and 3/4; the part's area is int (y - 3/4) x' dt with x' = 24 t (1 - t).
+    // y(t) = 4 t (1 - t) = 3/4 at t = 1/4 and 3/4; the part's area is int (y - 3/4) x' dt with x' = 24 t (1 -
+    // t).
     const double expected = 24 * (4 * (1.0 / 30 - 2 * 53.0 / 15360) - 0.75 * (1.0 / 6 - 2 * 5.0 / 192));
-    const CellView cell =
-        rectangle(shift.x() - 1, shift.y() + 0.75, shift.x() + 5, shift.y() + 2);
+    const CellView cell = rectangle(shift.x() - 1, shift.y() + 0.75, shift.x() + 5, shift.y() + 2);
     EXPECT_NEAR(coveredArea(grain.outline(), cell), expected, 1e-14);
     const CellView above = rectangle(shift.x() - 1, shift.y() + 1, shift.x() + 5, shift.y() + 2);
     EXPECT_NEAR(coveredArea(grain.outline(), above), 0, 1e-20) << "tangent at the top";
     const CellView below = rectangle(shift.x() - 1, shift.y() - 2, shift.x() + 5, shift.y() + 1);
-    EXPECT_NEAR(coveredArea(grain.outline(), below), grain.massProperties().area, 4e-15) << "tangent at the top";
+    EXPECT_NEAR(coveredArea(grain.outline(), below), grain.massProperties().area, 4e-15)
+        << "tangent at the top";
 }
 
 TEST(ClippedRegion, tangentLinesLeaveAllOrNothing)
@@ -167,16 +168,19 @@ TEST(ClippedRegion, polygonsAgreeWithPolygonClipping)
         LongPolygon polygon;
         for (const Vector2& vertex : grain.vertices())
         {
-            polygon.push_back(
-                longPoint(vertex) * std::polar(1.0L, static_cast<long double>(pose.rotation.angle())));
+            polygon.push_back(longPoint(vertex) *
+                              std::polar(1.0L, static_cast<long double>(pose.rotation.angle())));
         }
         const LongPolygon common = clipped(polygon, longPolygon(cell.polygon(0), pose.position));
         const CoveredCell found = coveredPart(grain.outline(), pose, cell);
         const double unit = std::max(1.0, cell.width(0)) * cell.width(0);
-        ASSERT_NEAR(found.area / unit, static_cast<double>(polygonArea(common)) / unit, 1e-14) << "cell " << i;
+        ASSERT_NEAR(found.area / unit, static_cast<double>(polygonArea(common)) / unit, 1e-14)
+            << "cell " << i;
         const LongPoint first = polygonFirstMoment(common);
-        ASSERT_NEAR(found.firstMoment.x() / unit, static_cast<double>(first.real()) / unit, 1e-14) << "cell " << i;
-        ASSERT_NEAR(found.firstMoment.y() / unit, static_cast<double>(first.imag()) / unit, 1e-14) << "cell " << i;
+        ASSERT_NEAR(found.firstMoment.x() / unit, static_cast<double>(first.real()) / unit, 1e-14)
+            << "cell " << i;
+        ASSERT_NEAR(found.firstMoment.y() / unit, static_cast<double>(first.imag()) / unit, 1e-14)
+            << "cell " << i;
     }
 }
 
@@ -205,9 +209,12 @@ TEST(ClippedRegion, polyBeziersAgreeWithFinePolygons)
             const LongPoint firstCoarse = polygonFirstMoment(partCoarse);
             const LongPoint firstFine = polygonFirstMoment(partFine);
             const CoveredCell found = coveredPart(grain.outline(), pose, cell);
-            EXPECT_NEAR(found.area, refined(polygonArea(partFine), polygonArea(partCoarse)), 1e-9) << i << " " << k;
-            EXPECT_NEAR(found.firstMoment.x(), refined(firstFine.real(), firstCoarse.real()), 1e-9) << i << " " << k;
-            EXPECT_NEAR(found.firstMoment.y(), refined(firstFine.imag(), firstCoarse.imag()), 1e-9) << i << " " << k;
+            EXPECT_NEAR(found.area, refined(polygonArea(partFine), polygonArea(partCoarse)), 1e-9)
+                << i << " " << k;
+            EXPECT_NEAR(found.firstMoment.x(), refined(firstFine.real(), firstCoarse.real()), 1e-9)
+                << i << " " << k;
+            EXPECT_NEAR(found.firstMoment.y(), refined(firstFine.imag(), firstCoarse.imag()), 1e-9)
+                << i << " " << k;
         }
     }
 }

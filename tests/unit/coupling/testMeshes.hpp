@@ -14,8 +14,9 @@ namespace chesil::test
 class PointGrid
 {
 public:
-    PointGrid(const Vector2& low, const Vector2& spacing, int columns, int rows, double shake, RandomSource& random)
-    : columns_(columns), rows_(rows)
+    PointGrid(const Vector2& low, const Vector2& spacing, int columns, int rows, double shake,
+              RandomSource& random)
+        : columns_(columns), rows_(rows)
     {
         for (int j = 0; j <= rows; ++j)
         {
@@ -49,7 +50,8 @@ inline CellView quadrilateralMesh(const PointGrid& grid)
     {
         for (int i = 0; i < grid.columns(); ++i)
         {
-            for (const Vector2& p : {grid.point(i, j), grid.point(i + 1, j), grid.point(i + 1, j + 1), grid.point(i, j + 1)})
+            for (const Vector2& p :
+                 {grid.point(i, j), grid.point(i + 1, j), grid.point(i + 1, j + 1), grid.point(i, j + 1)})
             {
                 vertices.push_back(p);
             }
