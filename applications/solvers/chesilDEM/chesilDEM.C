@@ -30,28 +30,53 @@ Usage
 #include "argList.H"
 #include "Time.H"
 
+#include "checkedDictionary.H"
 #include "progressLine.H"
+#include "readingGuards.H"
 #include "worldSeries.H"
 #include "worldSettingsReader.H"
 
 #include "core/base/setupError.hpp"
 #include "core/io/vtkOutput.hpp"
 
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
+//- Is the write interval a time, not a number of steps?
+static bool writesInTime(const Time& runTime)
+{
+    const word control =
+        runTime.controlDict().lookupOrDefault<word>("writeControl", "timeStep");
+    return control != "timeStep" && control != "none";
+}
+
+
+//- What Time itself takes without a word, or ends on by a signal
+static void checkControl(const Time& runTime)
+{
+    const checkedDictionary control(runTime.controlDict());
+    control.positive("deltaT");
+    if (writesInTime(runTime))
+    {
+        control.positive("writeInterval");
+    }
+}
+
+
 //- The longest step up to `most` [s] of which the write interval is a multiple,
 //  so that the states written are those of the times asked for
 static scalar dividing(const Time& runTime, scalar most)
 {
-    const dictionary& control = runTime.controlDict();
+    const checkedDictionary control(runTime.controlDict());
     const scalar whole =
-        control.lookupOrDefault<word>("writeControl", "timeStep") == "timeStep"
-      ? runTime.endTime().value() - runTime.value()
-      : control.get<scalar>("writeInterval");
+        writesInTime(runTime)
+      ? control.positive("writeInterval")
+      : runTime.endTime().value() - runTime.value();
     return whole/ceil(whole/min(most, whole));
 }
 
@@ -74,13 +99,6 @@ static scalar timeStepOf
     }
 
     const scalar step = runTime.deltaTValue();
-    if (!(step > 0))
-    {
-        throw chesil::SetupError
-        (
-            "system/controlDict", "deltaT", chesil::numberText(step), "a time > 0 s"
-        );
-    }
     if (step > stable && !run.allowUnstable)
     {
         throw chesil::SetupError
@@ -169,27 +187,42 @@ static int run(Time& runTime)
 }
 
 
+//- Time divides by the write interval before anyone can check it
+static autoPtr<Time> makeTime(const argList& args)
+{
+    const untrappedArithmetic guard;
+    autoPtr<Time> runTime(new Time(Time::controlDictName, args));
+    checkControl(*runTime);
+    return runTime;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote("Dry runs of smooth irregular grains, without a mesh");
     argList::noParallel();
     argList::noFunctionObjects();
 
-    argList args(argc, argv);
-    if (!args.checkRootCase())
+    const argList args(argc, argv);
+    int status = 1;
+    if (args.checkRootCase())
     {
-        return 1;
+        try
+        {
+            autoPtr<Time> runTime = makeTime(args);
+            status = run(runTime.ref());
+        }
+        catch (const std::exception& problem)
+        {
+            std::cerr << "chesilDEM: " << problem.what() << std::endl;
+        }
     }
-    try
+    if (status != 0)
     {
-        Time runTime(Time::controlDictName, args);
-        return run(runTime);
+        // The end of argList would make the exit status 0
+        std::exit(status);
     }
-    catch (const chesil::SetupError& error)
-    {
-        std::cerr << "chesilDEM: " << error.what() << std::endl;
-        return 1;
-    }
+    return 0;
 }
 
 

@@ -71,6 +71,7 @@ Foam::worldSeries::worldSeries(const Time& runTime)
 :
     file_(folderOf(runTime)/"world.dat")
 {
+    file_.precision(12);
     file_ << "# Time [s]\tkineticEnergy [J]\tcontactEnergy [J]\tcontacts"
           << "\tlargestOverlap [size]" << endl;
 }

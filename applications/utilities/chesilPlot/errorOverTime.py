@@ -10,11 +10,13 @@ from collections import defaultdict
 
 import matplotlib.pyplot as plt
 from matplotlib.patheffects import withStroke
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 import style
 from plotError import PlotError
 
 FLOOR = 1e-17  # where an error of exactly zero is drawn, below the rounding of doubles
+LEGEND_CHARACTERS = 84  # that fit below the axes, the samples of the lines counted as six each
 
 
 def addOptions(parser):
@@ -37,41 +39,72 @@ def readBenchmark(path):
     return comments, points
 
 
-def annotateKnobs(axes, points, colour):
-    """First, middle and last, so that the reader sees which way the knob turns."""
-    for index in sorted({0, len(points) // 2, len(points) - 1}):
-        time, error, knob = points[index]
-        axes.annotate(knob, (time, max(error, FLOOR)), xytext=(5, 4), textcoords="offset points", fontsize=7.5,
-                      color=colour, path_effects=[withStroke(linewidth=2.5, foreground="white")])
+def annotateKnobs(axes, methods):
+    """First, last and middle of each method, so that the reader sees which way the knob turns; every other
+    method on the left of its points. One that would hide another is left out."""
+    axes.figure.draw_without_rendering()
+    pixelsAPoint = axes.figure.dpi / 72
+    placed = []
+    for number, (method, points) in enumerate(methods.items()):
+        side = 1 if number % 2 == 0 else -1
+        for index in dict.fromkeys([0, len(points) - 1, len(points) // 2]):
+            time, error, knob = points[index]
+            x, y = axes.transData.transform((time, max(error, FLOOR)))
+            width = 5 * pixelsAPoint * len(knob)
+            left = x + 5 * pixelsAPoint if side > 0 else x - 5 * pixelsAPoint - width
+            low = y + (4 if side > 0 else -10) * pixelsAPoint
+            if any(left < otherLeft + otherWidth and otherLeft < left + width
+                   and abs(low - otherLow) < 9 * pixelsAPoint for otherLeft, otherWidth, otherLow in placed):
+                continue
+            placed.append((left, width, low))
+            axes.annotate(knob, (time, max(error, FLOOR)), xytext=(5 * side, 4 * side),
+                          textcoords="offset points", ha="left" if side > 0 else "right",
+                          va="bottom" if side > 0 else "top", fontsize=7.5, color=colourOf(number),
+                          path_effects=[withStroke(linewidth=2.5, foreground="white")])
 
 
-def drawMethod(axes, method, points, index):
-    colour = style.SERIES_COLOURS[index % len(style.SERIES_COLOURS)]
-    marker = style.SERIES_MARKERS[index % len(style.SERIES_MARKERS)]
+def colourOf(number):
+    return style.SERIES_COLOURS[number % len(style.SERIES_COLOURS)]
+
+
+def drawMethod(axes, method, points, number):
+    colour = colourOf(number)
+    marker = style.SERIES_MARKERS[number % len(style.SERIES_MARKERS)]
     axes.loglog([time for time, _, _ in points], [max(error, FLOOR) for _, error, _ in points],
                 color=colour, marker=marker, label=method)
     exact = [time for time, error, _ in points if error < FLOOR]
     axes.plot(exact, [FLOOR] * len(exact), linestyle="none", marker=marker, color=colour, markerfacecolor="white")
-    annotateKnobs(axes, points, colour)
     return bool(exact)
+
+
+def labelShortAxis(axis, low, high):
+    """Less than two decades hold one power of ten or two: too few to read numbers from."""
+    if high < 100 * low:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_formatter(NullFormatter())
 
 
 def draw(options):
     comments, methods = readBenchmark(options.file)
     figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
-    anyExact = [drawMethod(axes, method, points, index) for index, (method, points) in enumerate(methods.items())]
+    anyExact = [drawMethod(axes, method, points, number) for number, (method, points) in enumerate(methods.items())]
 
     axes.grid(True, which="major")
     axes.set_axisbelow(True)
     axes.margins(0.08)
+    labelShortAxis(axes.xaxis, *axes.get_xlim())
+    labelShortAxis(axes.yaxis, *axes.get_ylim())
     axes.set_xlabel(comments.get("time", "time"))
     axes.set_ylabel(comments.get("error", "error"))
-    if "title" in comments:
-        axes.set_title(comments["title"], pad=28)
-    axes.legend(loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncol=4, borderaxespad=0.2, columnspacing=1.4,
-                handletextpad=0.5)
     notes = [f"numbers: {comments['knob']}"] if "knob" in comments else []
     notes += [f"hollow: error 0, drawn at {FLOOR:g}"] if any(anyExact) else []
-    axes.annotate("\n".join(notes), (1, 1), xycoords="axes fraction", xytext=(0, 5), textcoords="offset points",
-                  ha="right", fontsize=7.5, color=style.FAINT_INK)
+    axes.annotate("; ".join(notes), (0, 1), xycoords="axes fraction", xytext=(0, 6), textcoords="offset points",
+                  fontsize=7.5, color=style.FAINT_INK)
+    if "title" in comments:
+        axes.set_title(comments["title"], pad=20)
+    columns = LEGEND_CHARACTERS // (max(map(len, methods)) + 6)
+    axes.legend(loc="upper left", bbox_to_anchor=(-0.01, -0.12), ncol=max(1, columns), borderaxespad=0.2,
+                columnspacing=1.4, handletextpad=0.5)
+    annotateKnobs(axes, methods)
     return figure

@@ -8,11 +8,11 @@ namespace chesil::tolerances
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// EPA stops when its bounds on the depth differ by less than this share of the two grains' radii.
-/// The depth then carries 9 digits: contact forces are proportional to depths of 1e-2..1e-6 radii,
-/// so that the force is exact to 1e-3 in the shallowest contact and far better in any that matters
-/// (benchmark epaTolerance shows the price of more).
-constexpr double expandingPolytope = 1e-9;
+/// EPA stops when its bounds on the depth differ by less than this share of the two grains' radii. Where it stops
+/// is a jump in the force as the grains move; in the shallowest contact that matters, 1e-6 radii deep, this keeps the
+/// jump below 1e-6 of the force, so that runs which differ by rounding (1 or 2 ranks, say) stay together.
+/// The benchmark epaTolerance shows the price.
+constexpr double expandingPolytope = 1e-12;
 
 /// Rounding floor of a support difference, in units of the two grains' radii: no solver can tell
 /// depths closer than this, and asking for more makes EPA blow up.

@@ -19,7 +19,9 @@ const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(
     const double cellSize = 2 * *std::max_element(radii.begin(), radii.end()) + margin;
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
-        const auto cell = [cellSize](double x) { return static_cast<std::int64_t>(std::floor(x / cellSize)); };
+        // Beyond 10^18 cells, or not a number: all in one. Any cell is right, since distances decide.
+        const auto cell = [cellSize](double x)
+        { return static_cast<std::int64_t>(std::fmax(-1e18, std::fmin(std::floor(x / cellSize), 1e18))); };
         entries_.push_back({cell(positions[i].x()), cell(positions[i].y()), static_cast<std::int32_t>(i)});
     }
     std::sort(entries_.begin(), entries_.end());

@@ -57,13 +57,17 @@ void requireConvex(const std::vector<Vector2>& vertices)
                     + " (not convex, clockwise or crossing itself)",
                 wanted);
         }
+        if (angle > M_PI - tolerances::convexity)
+        {
+            throw ValueError("a turn back on itself" + atVertex(edgeEnds[i], vertices[edgeEnds[i]]), wanted);
+        }
         turning += angle;
     }
     // A convex outline turns by 2 pi; one that crosses itself without an inward turn by 4 pi or more.
     if (std::abs(turning - 2 * M_PI) > 1)
     {
         throw ValueError(
-            "an outline that turns by " + numberText(turning / (2 * M_PI)) + " full turns (crossing itself, or flat)", wanted);
+            "an outline that turns by " + numberText(turning / (2 * M_PI)) + " full turns (crossing itself)", wanted);
     }
 }
 

@@ -58,20 +58,23 @@ Vector2 CubicBezier::endTangent() const
 
 double CubicBezier::supportParameter(const Vector2& direction) const
 {
-    const double a0 = std::max(0.0, direction.dot(points_[1] - points_[0]));
+    const double rise0 = direction.dot(points_[1] - points_[0]);
     const double a1 = direction.dot(points_[2] - points_[1]);
-    const double a2 = std::min(0.0, direction.dot(points_[3] - points_[2]));
+    const double rise2 = direction.dot(points_[3] - points_[2]);
+    if (rise0 <= 0 && rise2 >= 0)
+    {
+        // No root: beyond an end, or along a straight segment's normal.
+        const double rise = rise0 + a1 + rise2;
+        return rise > 0 ? 1.0 : rise < 0 ? 0.0 : 0.5;
+    }
+    const double a0 = std::max(0.0, rise0);
+    const double a2 = std::min(0.0, rise2);
     const double root = std::sqrt(a1 * a1 - a0 * a2);
     if (a1 > 0)
     {
         return (a1 + root) / (a1 + root - a2);
     }
-    const double denominator = a0 - a1 + root;
-    if (denominator > 0)
-    {
-        return a0 / denominator;
-    }
-    return a2 < 0 ? 0.0 : 0.5;
+    return a0 > 0 ? a0 / (a0 - a1 + root) : 0.0;
 }
 
 double CubicBezier::curvatureRadius(double t) const

@@ -27,7 +27,8 @@ EllipticArc placedPiece(const EllipticArc& arc, const Pose<2>& pose)
 /// A chord over a parameter step h leaves the curve by at most h^2 max|B''| / 8.
 int chordCount(double largestSecondDerivative, double range, double tolerance)
 {
-    constexpr int most = 1000;
+    // Of memory only: reached at 1e-12 of the size.
+    constexpr int most = 1000000;
     const double count = range * std::sqrt(largestSecondDerivative / (8 * tolerance));
     return std::clamp(static_cast<int>(std::ceil(count)), 1, most);
 }

@@ -27,7 +27,16 @@ void writeAside(const std::string& path, const std::function<void(std::ostream&)
         {
             fail("no way to open it for writing");
         }
-        content(file);
+        try
+        {
+            content(file);
+        }
+        catch (...)
+        {
+            std::error_code ignored;
+            std::filesystem::remove(aside, ignored);
+            throw;
+        }
         file.close();
         if (!file)
         {

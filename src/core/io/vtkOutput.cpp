@@ -1,5 +1,6 @@
 #include "core/io/vtkOutput.hpp"
 
+#include "core/base/setupError.hpp"
 #include "core/io/fileAside.hpp"
 
 #include <cmath>
@@ -105,8 +106,17 @@ Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
 
 VtkOutput::VtkOutput(std::string caseFolder, const World& world) : caseFolder_(std::move(caseFolder))
 {
-    std::filesystem::remove_all(caseFolder_ + "/grains");
-    std::filesystem::create_directories(caseFolder_ + "/grains");
+    const std::string folder = caseFolder_ + "/grains";
+    std::error_code error;
+    std::filesystem::remove_all(folder, error);
+    if (!error)
+    {
+        std::filesystem::create_directories(folder, error);
+    }
+    if (error)
+    {
+        throw SetupError(folder, "(whole folder)", error.message(), "a folder that can be made anew");
+    }
     std::vector<Polyline> walls;
     for (const PlaneWall<2>& wall : world.settings().walls)
     {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/tolerances.hpp"
 #include "core/base/vector.hpp"
 
 #include <algorithm>
@@ -28,18 +29,29 @@ class NormalTable
 public:
     NormalTable() = default;
 
-    /// `normals[i]` is the outward normal at the start of piece i; counter-clockwise order.
+    /// `normals[i]` is the outward normal at the start of piece i; counter-clockwise order, where rounding may turn
+    /// one back by a little (tolerances::convexity at each of a piece's control points).
     explicit NormalTable(const std::vector<Vector2>& normals)
     {
+        constexpr double turn = 4;
+        constexpr double back = 4 * tolerances::convexity;
         for (const Vector2& normal : normals)
         {
-            keys_.push_back(diamondAngle(normal));
+            double key = diamondAngle(normal);
+            if (!keys_.empty())
+            {
+                // From the last key on it rises, by less than a turn; what turns back stays where it is.
+                const double last = keys_.back();
+                key += turn * std::ceil((last - back - key) / turn);
+                key = key < last || key >= last + turn - back ? last : key;
+            }
+            keys_.push_back(key);
         }
-        const auto smallest = std::min_element(keys_.begin(), keys_.end());
-        first_ = static_cast<std::size_t>(smallest - keys_.begin());
-        std::rotate(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(first_), keys_.end());
-        // Rounding may swap two equal normals; the search wants them sorted.
-        std::sort(keys_.begin(), keys_.end());
+        // One turn holds all: those beyond its end are the first.
+        const auto beyond = std::lower_bound(keys_.begin(), keys_.end(), turn);
+        first_ = beyond == keys_.end() ? 0 : static_cast<std::size_t>(beyond - keys_.begin());
+        std::for_each(beyond, keys_.end(), [](double& key) { key -= turn; });
+        std::rotate(keys_.begin(), beyond, keys_.end());
     }
 
     /// The piece whose range of normals, up to the next piece's start, holds the direction.

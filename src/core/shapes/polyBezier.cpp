@@ -1,6 +1,7 @@
 #include "core/shapes/polyBezier.hpp"
 
 #include "core/base/setupError.hpp"
+#include "core/base/tolerances.hpp"
 #include "core/geometry/convexity.hpp"
 #include "core/shapes/centring.hpp"
 
@@ -32,6 +33,32 @@ void requireClosed(const std::vector<CubicBezier>& segments)
     }
 }
 
+/// Two roots in (0, 1) would be beyond the closed form of the support point.
+void requireHalfTurnAtMost(const std::vector<CubicBezier>& segments)
+{
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+        const auto& points = segments[i].controlPoints();
+        Vector2 tangent = segments[i].startTangent();
+        double turn = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const Vector2 edge = points[k + 1] - points[k];
+            if (edge != Vector2::Zero())
+            {
+                turn += std::atan2(cross(tangent, edge), tangent.dot(edge));
+                tangent = edge;
+            }
+        }
+        if (turn > M_PI + tolerances::convexity)
+        {
+            throw ValueError(
+                "segment " + std::to_string(i) + " turns by " + numberText(turn * 180 / M_PI) + " degrees",
+                "segments that turn by at most 180 degrees (split this one)");
+        }
+    }
+}
+
 std::vector<Vector2> controlPolygon(const std::vector<CubicBezier>& segments)
 {
     std::vector<Vector2> vertices;
@@ -43,30 +70,21 @@ std::vector<Vector2> controlPolygon(const std::vector<CubicBezier>& segments)
     return vertices;
 }
 
-/// Furthest point from the origin: on each segment |B(t)| is sampled and the best sample refined.
-/// The bound is what the broad phase trusts, hence the control polygon's bound closes any gap.
+/// A bound on the distance of the segment from the origin, since the broad phase trusts it: the furthest control
+/// point of its parts, which leave the curve by the square of their length only.
 double furthestPoint(const CubicBezier& segment)
 {
-    constexpr int samples = 16;
+    constexpr int parts = 16;
     double furthest = 0;
-    for (int i = 0; i <= samples; ++i)
+    for (int i = 0; i < parts; ++i)
     {
-        furthest = std::max(furthest, segment.at(static_cast<double>(i) / samples).norm());
+        const CubicBezier part = segment.part(static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
+        for (const Vector2& point : part.controlPoints())
+        {
+            furthest = std::max(furthest, point.norm());
+        }
     }
-    // Between two samples |B| rises by at most half the step times the largest speed; the control edges
-    // bound the speed.
-    double speed = 0;
-    const auto& points = segment.controlPoints();
-    for (int i = 0; i < 3; ++i)
-    {
-        speed = std::max(speed, 3 * (points[i + 1] - points[i]).norm());
-    }
-    double controlBound = 0;
-    for (const Vector2& point : points)
-    {
-        controlBound = std::max(controlBound, point.norm());
-    }
-    return std::min(controlBound, furthest + speed / (2 * samples));
+    return furthest;
 }
 
 } // namespace
@@ -79,6 +97,7 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
     }
     requireClosed(segments);
     requireConvex(controlPolygon(segments));
+    requireHalfTurnAtMost(segments);
 
     CentredBoundary boundary = centred(segments);
     segments_ = std::move(boundary.segments);

@@ -15,8 +15,9 @@ namespace chesil
 /// tangent at each smooth joint (G1) or an outward corner. Source: Lai & Huang, section 2.
 ///
 /// The segments [m] are given in any frame and kept about the centroid. Throws ValueError if they do not
-/// close, or if the polygon of all control points is not convex; that polygon being convex makes the
-/// curve convex, and every outline built after section 2.1 of the paper satisfies it.
+/// close, if the polygon of all control points is not convex, or if a segment turns by more than 180 degrees.
+/// That polygon being convex makes the curve convex, and every outline built after section 2.1 of the paper
+/// satisfies it.
 class PolyBezier
 {
 public:

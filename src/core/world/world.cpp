@@ -84,22 +84,15 @@ double World::sizeOf(std::size_t grain) const
 double World::stableTimeStep() const
 {
     const double stiffness = std::max(settings_.contact.normalStiffness, settings_.contact.tangentialStiffness);
-    double step = std::numeric_limits<double>::infinity();
+    StableTimeStep step;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
         if (bodies_.inverseMass[i] > 0)
         {
-            step = std::min(
-                step,
-                chesil::stableTimeStep(
-                    1 / bodies_.inverseMass[i],
-                    1 / bodies_.inverseInertia[i],
-                    bodies_.boundingRadius[i],
-                    stiffness,
-                    settings_.contact.dampingRatio));
+            step.add(1 / bodies_.inverseMass[i], 1 / bodies_.inverseInertia[i], bodies_.boundingRadius[i]);
         }
     }
-    return step;
+    return step.of(stiffness, settings_.contact.dampingRatio, settings_.localDamping);
 }
 
 StepStatus World::step(double timeStep)

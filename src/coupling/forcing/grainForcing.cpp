@@ -52,8 +52,7 @@ void GrainForcing::addGrain(const World& world, std::size_t grain)
     for (const CoveredCell& covered : cells_.cells())
     {
         const Vector2 centre = covered.firstMoment / covered.area;
-        const Vector2 velocity = bodies.velocity[grain] + velocityAt(bodies.angularVelocity[grain], centre);
-        shares_.push_back({grain, covered.cell, covered.area, centre, velocity});
+        shares_.push_back({grain, covered.cell, covered.area, centre});
 
         const auto c = static_cast<std::size_t>(covered.cell);
         if (fraction_[c] == 0)
@@ -61,7 +60,7 @@ void GrainForcing::addGrain(const World& world, std::size_t grain)
             touched_.push_back(covered.cell);
         }
         fraction_[c] += covered.area;
-        velocity_[c] += covered.area * velocity;
+        velocity_[c] += covered.area * (bodies.velocity[grain] + velocityAt(bodies.angularVelocity[grain], centre));
     }
 }
 

@@ -57,7 +57,8 @@ public:
     double rate(int cell) const { return rate_[static_cast<std::size_t>(cell)]; }
 
     /// What the forcing does to the grains: its opposite, over the cells of this mesh, for fluid density
-    /// [kg/m3]. The inertia of the fluid inside the grains is not in it (GrainResponse adds it).
+    /// [kg/m3]. Grains in one cell share its force by their areas: each against its own velocity would be a
+    /// dashpot between them, as stiff as the rate, and explicit in time. The inertia of the fluid inside the grains is not in it (GrainResponse adds it).
     template <class FluidVelocity>
     void addLoads(const FluidVelocity& fluidVelocity, double fluidDensity, GrainLoads& loads) const
     {
@@ -66,7 +67,7 @@ public:
             const auto c = static_cast<std::size_t>(share.cell);
             const double weight = share.area / (fraction_[c] * mesh_.area(share.cell));
             const Vector2 force = fluidDensity * weight * rate_[c] * mesh_.area(share.cell)
-                * (fluidVelocity(share.cell) - share.velocity);
+                * (fluidVelocity(share.cell) - velocity_[c]);
             loads.force[share.grain] += force;
             loads.torque[share.grain] += cross(share.centre, force);
         }
@@ -79,9 +80,8 @@ private:
         std::size_t grain;
         int cell;
         double area;
-        /// Centroid of the covered part relative to the grain's [m], and the grain's velocity there.
+        /// Centroid of the covered part relative to the grain's [m].
         Vector2 centre;
-        Vector2 velocity;
     };
 
     void forget();

@@ -8,8 +8,9 @@ namespace chesil
 namespace
 {
 
-/// Stable for any density and half as much error in time as 2; see the class.
+/// m_c over the displaced fluid's mass, and t; see the class.
 constexpr double virtualMass = 1;
+constexpr double relaxation = 1.0 / 3;
 
 } // namespace
 
@@ -17,6 +18,7 @@ GrainResponse::GrainResponse(World& world, double fluidDensity, double shareOfSt
 : world_(world),
   fluidDensity_(fluidDensity),
   hydrodynamic_(world.bodies().size()),
+  remainder_(world.bodies().size()),
   acceleration_(world.bodies().size(), Vector2::Zero()),
   angularAcceleration_(world.bodies().size(), 0.0)
 {
@@ -27,7 +29,6 @@ GrainResponse::GrainResponse(World& world, double fluidDensity, double shareOfSt
 StepStatus GrainResponse::advance(const GrainLoads& forcing, double interval)
 {
     const Bodies<2>& bodies = world_.bodies();
-    GrainLoads loads = forcing;
     hydrodynamic_ = forcing;
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
@@ -35,10 +36,11 @@ StepStatus GrainResponse::advance(const GrainLoads& forcing, double interval)
         const double insideTurning = fluidDensity_ * world_.polarMomentOf(i) * angularAcceleration_[i];
         hydrodynamic_.force[i] += inside;
         hydrodynamic_.torque[i] += insideTurning;
-        loads.force[i] += (1 + virtualMass) * inside;
-        loads.torque[i] += (1 + virtualMass) * insideTurning;
+        remainder_.force[i] += relaxation * (hydrodynamic_.force[i] + virtualMass * inside - remainder_.force[i]);
+        remainder_.torque[i] +=
+            relaxation * (hydrodynamic_.torque[i] + virtualMass * insideTurning - remainder_.torque[i]);
     }
-    world_.setExternalLoads(loads.force, loads.torque);
+    world_.setExternalLoads(remainder_.force, remainder_.torque);
 
     const std::vector<Vector2> velocity = bodies.velocity;
     const std::vector<double> angularVelocity = bodies.angularVelocity;

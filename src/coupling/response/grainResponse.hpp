@@ -8,15 +8,15 @@ namespace chesil
 
 /// Moves grains through one time step of the flow, in substeps of the contact engine.
 ///
-/// The hydrodynamic load is that of the forcing and the inertia of the fluid inside the grain, which moves with
-/// it, m_f dU/dt (Uhlmann 2005). The load is known from the last flow step only and holds the added mass with
-/// it: lagging by one step it would be unstable for light grains. A virtual mass on both sides,
+/// The hydrodynamic load H is that of the forcing and the inertia of the fluid inside the grain, which moves with
+/// it (Uhlmann 2005). It is known from the last flow step only, and holds the added mass of the surrounding fluid,
+/// H = -m_a dU/dt + ...: taken as it is, the step would be unstable as soon as m_a passes the grain's mass m.
+/// Two measures, both without effect on steady motion and of first order in the time step:
 ///
-///     (m + c m_f) dU/dt = F + (c + 1) m_f (dU/dt)_last step,
+///     (m + m_c) dU/dt = contact + weight + R,      R <- R + t (H + m_c (dU/dt)_last step - R)
 ///
-/// changes nothing to first order in the time step and is stable as long as the added mass of the flow is below
-/// m + 2 c m_f, thus for c = 1 at any density of a grain whose added mass is less than twice the fluid it
-/// displaces (a disk's is once). doc/coupling.md derives it.
+/// with m_c the displaced fluid's mass (a lone disk's added mass) and t = 1/3. Stable for m_a < 5 m + 6 m_c: grains
+/// that crowd in a closed tank reach seven times the displaced mass. doc/coupling.md derives it.
 class GrainResponse
 {
 public:
@@ -38,6 +38,8 @@ private:
     double fluidDensity_;
     double longestSubstep_;
     GrainLoads hydrodynamic_;
+    /// R of the class's description.
+    GrainLoads remainder_;
     std::vector<Vector2> acceleration_;
     std::vector<double> angularAcceleration_;
     int substeps_ = 0;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkedDictionary.H"
+#include "readingGuards.H"
 
 #include "List.H"
 #include "Switch.H"
@@ -19,26 +20,7 @@
 namespace
 {
 
-//- OpenFOAM's reader aborts on a value of the wrong kind unless told to throw
-class ThrowingErrors
-{
-    bool io_;
-    bool other_;
-
-public:
-
-    ThrowingErrors()
-    :
-        io_(Foam::FatalIOError.throwExceptions()),
-        other_(Foam::FatalError.throwExceptions())
-    {}
-
-    ~ThrowingErrors()
-    {
-        if (!io_) Foam::FatalIOError.dontThrowExceptions();
-        if (!other_) Foam::FatalError.dontThrowExceptions();
-    }
-};
+const char* const dictionaryWanted = "a dictionary { ... }";
 
 std::string valueText(const Foam::dictionary& dict, const Foam::word& name)
 {
@@ -96,7 +78,12 @@ Foam::checkedDictionary::checkedDictionary(const dictionary& dict)
 
 std::string Foam::checkedDictionary::file() const
 {
-    const std::string full(dict_.topDict().name());
+    return shownFile(dict_.topDict().name());
+}
+
+
+std::string Foam::checkedDictionary::shownFile(const std::string& full)
+{
     const auto constantAt = full.rfind("/constant/");
     const auto systemAt = full.rfind("/system/");
     const auto at = constantAt != std::string::npos ? constantAt : systemAt;
@@ -127,7 +114,11 @@ void Foam::checkedDictionary::fail
 }
 
 
-void Foam::checkedDictionary::require(const word& name) const
+void Foam::checkedDictionary::require
+(
+    const word& name,
+    const std::string& expected
+) const
 {
     if (!dict_.found(name))
     {
@@ -136,8 +127,8 @@ void Foam::checkedDictionary::require(const word& name) const
             name,
             "nothing (the entry is missing)",
             known_.empty()
-          ? "it"
-          : "it; known names here: " + chesil::listOfNames(known_)
+          ? expected
+          : expected + "; known names here: " + chesil::listOfNames(known_)
         );
     }
 }
@@ -150,8 +141,8 @@ Type Foam::checkedDictionary::read
     const std::string& expected
 ) const
 {
-    require(name);
-    ThrowingErrors guard;
+    require(name, expected);
+    throwingErrors guard;
     try
     {
         return dict_.get<Type>(name);
@@ -163,12 +154,16 @@ Type Foam::checkedDictionary::read
 }
 
 
-Foam::scalar Foam::checkedDictionary::number(const word& name) const
+Foam::scalar Foam::checkedDictionary::number
+(
+    const word& name,
+    const std::string& expected
+) const
 {
-    const scalar value = read<scalar>(name, "a number");
+    const scalar value = read<scalar>(name, expected);
     if (!std::isfinite(value))
     {
-        fail(name, valueText(dict_, name), "a finite number");
+        fail(name, valueText(dict_, name), expected);
     }
     return value;
 }
@@ -180,7 +175,7 @@ Foam::scalar Foam::checkedDictionary::number
     scalar defaultValue
 ) const
 {
-    return found(name) ? number(name) : defaultValue;
+    return found(name) ? number(name, "a finite number") : defaultValue;
 }
 
 
@@ -192,7 +187,7 @@ Foam::scalar Foam::checkedDictionary::numberIn
     const std::string& expected
 ) const
 {
-    const scalar value = number(name);
+    const scalar value = number(name, expected);
     if (value < lower || value > upper)
     {
         fail(name, chesil::numberText(value), expected);
@@ -220,15 +215,11 @@ Foam::scalar Foam::checkedDictionary::notNegative
 
 Foam::label Foam::checkedDictionary::count(const word& name, label lower) const
 {
-    const label value = read<label>(name, "a whole number");
+    const std::string expected = "a whole number >= " + std::to_string(lower);
+    const label value = read<label>(name, expected);
     if (value < lower)
     {
-        fail
-        (
-            name,
-            std::to_string(value),
-            "a whole number >= " + std::to_string(lower)
-        );
+        fail(name, std::to_string(value), expected);
     }
     return value;
 }
@@ -245,9 +236,13 @@ Foam::label Foam::checkedDictionary::count
 }
 
 
-std::string Foam::checkedDictionary::text(const word& name) const
+std::string Foam::checkedDictionary::text
+(
+    const word& name,
+    const std::string& expected
+) const
 {
-    require(name);
+    require(name, expected);
     const entry& found = *dict_.findEntry(name);
     if (found.isStream() && found.stream().size() == 1)
     {
@@ -261,7 +256,7 @@ std::string Foam::checkedDictionary::text(const word& name) const
             return only.stringToken();
         }
     }
-    fail(name, valueText(dict_, name), "a word, or text in quotes");
+    fail(name, valueText(dict_, name), expected);
 }
 
 
@@ -271,10 +266,11 @@ std::string Foam::checkedDictionary::choice
     const std::vector<std::string>& choices
 ) const
 {
-    const std::string value = text(name);
+    const std::string expected = "one of: " + chesil::listOfNames(choices);
+    const std::string value = text(name, expected);
     if (std::count(choices.begin(), choices.end(), value) == 0)
     {
-        fail(name, value, "one of: " + chesil::listOfNames(choices));
+        fail(name, value, expected);
     }
     return value;
 }
@@ -288,15 +284,12 @@ bool Foam::checkedDictionary::flag(const word& name, bool defaultValue) const
 
 chesil::Vector2 Foam::checkedDictionary::planeVector(const word& name) const
 {
-    const vector value = read<vector>(name, "a vector (x y 0)");
+    const std::string expected =
+        "a finite vector in the x-y plane, (x y 0): grains are plane";
+    const vector value = read<vector>(name, expected);
     if (!std::isfinite(value.x()) || !std::isfinite(value.y()) || value.z() != 0)
     {
-        fail
-        (
-            name,
-            valueText(dict_, name),
-            "a finite vector in the x-y plane, (x y 0): grains are plane"
-        );
+        fail(name, valueText(dict_, name), expected);
     }
     return {value.x(), value.y()};
 }
@@ -327,10 +320,10 @@ std::vector<std::string> Foam::checkedDictionary::words(const word& name) const
 
 const Foam::dictionary& Foam::checkedDictionary::subDict(const word& name) const
 {
-    require(name);
+    require(name, dictionaryWanted);
     if (!dict_.isDict(name))
     {
-        fail(name, valueText(dict_, name), "a dictionary { ... }");
+        fail(name, valueText(dict_, name), dictionaryWanted);
     }
     return dict_.subDict(name);
 }
@@ -350,7 +343,7 @@ std::vector<Foam::word> Foam::checkedDictionary::subDictNames
             (
                 e.keyword(),
                 valueText(dict, e.keyword()),
-                "a dictionary { ... }"
+                dictionaryWanted
             );
         }
         names.push_back(e.keyword());

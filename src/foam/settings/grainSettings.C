@@ -38,7 +38,8 @@ const std::vector<int>& groupNamed
         (
             entryName,
             name,
-            "a name of the dictionary shapes: " + chesil::listOfNames(known)
+            "a name of the dictionary shapes: "
+          + (known.empty() ? "it is empty" : chesil::listOfNames(known))
         );
     }
     return group->second;
@@ -69,7 +70,7 @@ std::vector<GrainState> readLattice
         (
             shapes.shapes,
             choice,
-            entries.count("number", 0),
+            entries.count("number", 1),
             {box.planeVector("lower"), box.planeVector("upper")},
             static_cast<std::uint64_t>(entries.count("seed", 0, 1))
         );
@@ -118,6 +119,56 @@ std::vector<GrainState> readSingle
     return {grain};
 }
 
+//- How far a grain reaches into a wall [m]; negative before it
+Foam::scalar depthInWall
+(
+    const chesil::Shape& shape,
+    const GrainState& grain,
+    const chesil::PlaneWall<2>& wall
+)
+{
+    const chesil::Pose<2> pose
+        {grain.position, chesil::Rotation<2>(grain.angle)};
+    const chesil::Vector2 foot = pose.toWorld
+    (
+        chesil::support(shape, pose.rotation.applyInverse(-wall.normal))
+    );
+    return -wall.distance(foot);
+}
+
+//- A grain that starts in a wall would be shot out of it
+void checkWalls
+(
+    const checkedDictionary& entries,
+    const Foam::word& name,
+    const std::vector<GrainState>& grains,
+    const shapeGroups& shapes,
+    const std::vector<chesil::PlaneWall<2>>& walls
+)
+{
+    constexpr Foam::scalar allowedShare = 0.1;
+    for (const GrainState& grain : grains)
+    {
+        const chesil::NamedShape& named =
+            shapes.shapes[std::size_t(grain.shape)];
+        for (const chesil::PlaneWall<2>& wall : walls)
+        {
+            const Foam::scalar depth = depthInWall(named.shape, grain, wall);
+            if (depth > allowedShare*chesil::boundingRadius(named.shape))
+            {
+                entries.fail
+                (
+                    name,
+                    "a grain " + named.name + " that reaches "
+                  + chesil::numberText(depth) + " m into wall " + wall.name,
+                    "grains that start between the walls: one bigger than"
+                    " the box never fits"
+                );
+            }
+        }
+    }
+}
+
 } // End namespace
 
 
@@ -126,9 +177,11 @@ std::vector<GrainState> readSingle
 std::vector<chesil::GrainState> Foam::readGrains
 (
     const dictionary& dict,
-    const shapeGroups& shapes
+    const shapeGroups& shapes,
+    const std::vector<chesil::PlaneWall<2>>& walls
 )
 {
+    const checkedDictionary entries(dict);
     std::vector<GrainState> grains;
     for (const word& name : checkedDictionary::subDictNames(dict))
     {
@@ -137,6 +190,7 @@ std::vector<chesil::GrainState> Foam::readGrains
             checkedDictionary(sub).choice("type", {"lattice", "single"});
         const auto some =
             type == "lattice" ? readLattice(sub, shapes) : readSingle(sub, shapes);
+        checkWalls(entries, name, some, shapes, walls);
         grains.insert(grains.end(), some.begin(), some.end());
     }
     return grains;

@@ -6,6 +6,8 @@
 #include "shapeSettings.H"
 #include "checkedDictionary.H"
 
+#include "OSspecific.H"
+
 #include "core/io/templateFile.hpp"
 
 #include <functional>
@@ -30,6 +32,15 @@ std::vector<NamedShape> readTemplateFile
     if (!path.isAbsolute())
     {
         path = caseFolder/path;
+    }
+    if (!Foam::isFile(path, false))
+    {
+        entries.fail
+        (
+            "file",
+            shown + ", which is no file",
+            "a template file as chesilFit writes it, relative to the case"
+        );
     }
     const chesil::TemplateFile file = chesil::readTemplates(path);
     if (file.unit != "m")

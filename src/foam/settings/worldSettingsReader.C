@@ -6,7 +6,14 @@
 #include "worldSettingsReader.H"
 #include "checkedDictionary.H"
 #include "grainSettings.H"
+#include "readingGuards.H"
 #include "shapeSettings.H"
+
+#include "IFstream.H"
+
+#include "core/world/world.hpp"
+
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -67,35 +74,69 @@ std::vector<chesil::PlaneWall<2>> readWalls(const dictionary& dict)
     return walls;
 }
 
-//- A grain that starts in a wall would be shot out of it
-void checkWalls(const checkedDictionary& entries, const chesil::WorldSettings& world)
+//- Grains that start inside each other would be shot apart; driven ones stay
+void checkOverlaps
+(
+    const checkedDictionary& entries,
+    const chesil::WorldSettings& settings
+)
 {
     constexpr scalar allowedShare = 0.1;
-    for (std::size_t i = 0; i < world.grains.size(); ++i)
+    chesil::World world(settings);
+    world.updateForces(0);
+    for (const chesil::Contact<2>& contact : world.contacts())
     {
-        const chesil::GrainState& grain = world.grains[i];
-        const auto& shape = world.shapes[std::size_t(grain.shape)].shape;
-        const chesil::Pose<2> pose
-            {grain.position, chesil::Rotation<2>(grain.angle)};
-        for (const chesil::PlaneWall<2>& wall : world.walls)
+        if (contact.withWall())
         {
-            const chesil::Vector2 foot = pose.toWorld
-            (
-                chesil::support(shape, pose.rotation.applyInverse(-wall.normal))
-            );
-            const scalar depth = -wall.distance(foot);
-            if (depth > allowedShare*chesil::boundingRadius(shape))
-            {
-                entries.fail
-                (
-                    "grains",
-                    "grain " + std::to_string(i) + " "
-                  + chesil::numberText(depth) + " m inside wall " + wall.name,
-                    "grains that start inside the walls: one bigger than the"
-                    " box never fits"
-                );
-            }
+            continue;
         }
+        const auto i = std::size_t(contact.first);
+        const auto j = std::size_t(contact.second);
+        const bool bothDriven =
+            settings.grains[i].driven && settings.grains[j].driven;
+        const scalar smaller = std::min(world.sizeOf(i), world.sizeOf(j));
+        if (!bothDriven && contact.depth > allowedShare*smaller)
+        {
+            entries.fail
+            (
+                "grains",
+                "grains " + std::to_string(i) + " and " + std::to_string(j)
+              + " (counted from 0) that overlap by "
+              + chesil::numberText(contact.depth) + " m",
+                "grains that start beside each other"
+            );
+        }
+    }
+}
+
+//- Reads the file for itself: IOdictionary resets OpenFOAM's ways with names
+void checkNames(const Foam::fileName& path)
+{
+    const Foam::throwingErrors errors;
+    const Foam::uniqueNames names;
+    try
+    {
+        Foam::IFstream file(path);
+        dictionary contents;
+        contents.name() = path;
+        contents.read(file);
+    }
+    catch (const Foam::error& error)
+    {
+        const auto* inFile = dynamic_cast<const Foam::IOerror*>(&error);
+        const std::string found = error.message();
+        const bool twice = found.find("duplicate entry") == 0;
+        throw chesil::SetupError
+        (
+            checkedDictionary::shownFile(path),
+            inFile
+          ? "line " + std::to_string(inFile->ioStartLineNumber())
+          : "(whole file)",
+            found.substr(0, found.find_last_not_of(" \n") + 1),
+            twice
+          ? "each name once (#overwrite before the second replaces the first)"
+          : "a dictionary in OpenFOAM's format"
+        );
     }
 }
 
@@ -142,6 +183,11 @@ Foam::autoPtr<Foam::IOdictionary> Foam::chesilProperties(const Time& runTime)
             "the grains' properties, with a FoamFile header"
         );
     }
+    const untrappedArithmetic guard;
+    if (Pstream::master())
+    {
+        checkNames(runTime.globalPath()/runTime.constant()/header.name());
+    }
     return autoPtr<IOdictionary>(new IOdictionary(header));
 }
 
@@ -162,6 +208,7 @@ Foam::caseSettings Foam::readCase
     const Time& runTime
 )
 {
+    const untrappedArithmetic guard;
     const checkedDictionary entries(properties, knownNames);
 
     caseSettings result;
@@ -184,8 +231,15 @@ Foam::caseSettings Foam::readCase
     const shapeGroups shapes =
         readShapes(entries.subDict("shapes"), runTime.globalPath());
     world.shapes = shapes.shapes;
-    world.grains = readGrains(entries.subDict("grains"), shapes);
-    checkWalls(entries, world);
+    world.grains = readGrains(entries.subDict("grains"), shapes, world.walls);
+    if (world.grains.empty())
+    {
+        entries.fail
+        (
+            "grains", "an empty dictionary", "at least one dictionary of grains"
+        );
+    }
+    checkOverlaps(entries, world);
     result.run = readRun(entries);
     return result;
 }

@@ -1,10 +1,7 @@
 #include "generate/fit/fitTables.hpp"
 
-#include "core/base/setupError.hpp"
+#include "core/io/fileAside.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iomanip>
 
 namespace chesil
@@ -17,20 +14,17 @@ template <class WriteRow>
 void writeTable(const std::string& path, const char* header, const std::vector<GrainFit>& fits,
                 const WriteRow& writeRow)
 {
-    errno = 0;
-    std::ofstream file(path);
-    file << header << '\n';
-    for (std::size_t i = 0; i < fits.size(); ++i)
-    {
-        file << grainName(i) << ',';
-        writeRow(file, fits[i]);
-        file << '\n';
-    }
-    file.close();
-    if (!file)
-    {
-        throw SetupError(path, "output file", std::strerror(errno), "a path that can be written");
-    }
+    writeAside(path,
+               [&](std::ostream& file)
+               {
+                   file << header << '\n';
+                   for (std::size_t i = 0; i < fits.size(); ++i)
+                   {
+                       file << grainName(i) << ',';
+                       writeRow(file, fits[i]);
+                       file << '\n';
+                   }
+               });
 }
 
 } // namespace

@@ -79,15 +79,21 @@ std::array<double, 2 * JointFrame::perJoint> JointFrame::pointGradient(int i, do
             0};
 }
 
-Eigen::VectorXd JointFrame::start(const std::vector<double>& offsets,
-                                  const std::vector<Vector2>& wantedJoints) const
+Eigen::VectorXd JointFrame::tangentLines(const std::vector<double>& offsets) const
 {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(perJoint * joints());
     for (int i = 0; i < joints(); ++i)
     {
         z[perJoint * i + offset] = offsets[static_cast<std::size_t>(i)];
     }
-    // With the joints at along = 0 and no handles, the outer gaps tell where the crossings are.
+    return z;
+}
+
+Eigen::VectorXd JointFrame::start(const std::vector<double>& offsets,
+                                  const std::vector<Vector2>& wantedJoints) const
+{
+    Eigen::VectorXd z = tangentLines(offsets);
+    // The outer gaps of joints at along = 0 without handles tell where the crossings are.
     const Eigen::VectorXd gaps = gapMatrix_ * z;
     for (int i = 0; i < joints(); ++i)
     {

@@ -56,8 +56,12 @@ public:
     /// d(direction . B_i(t)) / dz: its 8 entries that are not zero, for joint i and for the next one.
     std::array<double, 2 * perJoint> pointGradient(int i, double t, const Vector2& direction) const;
 
-    /// z of the outline whose tangent lines have these distances from the origin, with each joint as near to
-    /// `wantedJoints` as a quarter of its edge allows, and handles of half the way to the crossings.
+    /// z of tangent lines at these distances from the origin; joints at along = 0, no handles.
+    Eigen::VectorXd tangentLines(const std::vector<double>& offsets) const;
+
+    /// z of the outline with tangent lines at these distances, whose edges must have positive lengths, with
+    /// each joint as near to `wantedJoints` as a quarter of its edge allows, and handles of half the way to
+    /// the crossings.
     Eigen::VectorXd start(const std::vector<double>& offsets, const std::vector<Vector2>& wantedJoints) const;
 
 private:

@@ -77,7 +77,9 @@ TEST(GrainFit, takesOnePixelAndAHair)
 {
     EXPECT_LE(fitGrain(Silhouette(1, 1, {1})).grain.largestJointAngle(), tolerances::joint);
     const GrainFit hair = fitGrain(Silhouette(200, 1, std::vector<std::uint8_t>(200, 1)));
-    EXPECT_NEAR(hair.grain.massProperties().area, 200, 20);
+    // No outline is thinner than about a hundredth of its length (leastHandle in smoothOutline.cpp).
+    EXPECT_GT(hair.grain.massProperties().area, 190);
+    EXPECT_LT(hair.grain.massProperties().area, 400);
     EXPECT_LE(hair.grain.largestJointAngle(), tolerances::joint);
 }
 

@@ -1,0 +1,207 @@
+#include "core/contact/linearLaw.hpp"
+
+#include "unit/randomGrain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace chesil;
+
+namespace
+{
+
+constexpr double stiffness = 1e6;
+
+/// One dimension, two bodies: what a collision leaves of the approach velocity. Kick-drift-kick as the world does
+/// it, with `steps` steps in half a period.
+double reboundOf(double dampingRatio, double mass1, double mass2, int steps)
+{
+    LinearLaw law;
+    law.normalStiffness = stiffness;
+    law.dampingRatio = dampingRatio;
+    const double effectiveMass = mass1 * mass2 / (mass1 + mass2);
+    const double timeStep = M_PI * std::sqrt(effectiveMass / stiffness) / steps;
+    double overlap = 0;
+    double velocity1 = 0.75;
+    double velocity2 = -0.25;
+    double force = 0;
+    Vector2 spring = Vector2::Zero();
+    for (int i = 0; i == 0 || overlap > 0; ++i)
+    {
+        velocity1 -= timeStep / 2 * force / mass1;
+        velocity2 += timeStep / 2 * force / mass2;
+        overlap += timeStep * (velocity1 - velocity2);
+        const ContactState<2> state{overlap, Vector2(1, 0), Vector2(velocity1 - velocity2, 0), effectiveMass};
+        force = overlap > 0 ? -contactForce(law, state, timeStep, spring).x() : 0;
+        velocity1 -= timeStep / 2 * force / mass1;
+        velocity2 += timeStep / 2 * force / mass2;
+        if (i > 1000 * steps)
+        {
+            return -1; // stuck
+        }
+    }
+    EXPECT_NEAR(mass1 * velocity1 + mass2 * velocity2, 0.75 * mass1 - 0.25 * mass2, 1e-12);
+    return velocity2 - velocity1;
+}
+
+LinearLaw frictional(double friction)
+{
+    LinearLaw law;
+    law.normalStiffness = stiffness;
+    law.tangentialStiffness = 0.5 * stiffness;
+    law.friction = friction;
+    return law;
+}
+
+} // namespace
+
+TEST(LinearLaw, twoBodiesReboundWithTheWantedRestitution)
+{
+    for (const double wanted : {1.0, 0.95, 0.9, 0.7, 0.5, 0.3, 0.2, 0.1})
+    {
+        const double ratio = dampingRatioOf(wanted);
+        EXPECT_NEAR(reboundOf(ratio, 1, 1, 4000), wanted, 1e-3) << wanted;
+        EXPECT_NEAR(reboundOf(ratio, 0.01, 3, 4000), wanted, 1e-3) << wanted;
+    }
+}
+
+TEST(LinearLaw, restitutionAndDampingRatioAreInverse)
+{
+    EXPECT_EQ(dampingRatioOf(1), 0);
+    EXPECT_EQ(restitutionOf(0), 1);
+    for (double wanted = 1; wanted > 1e-4; wanted *= 0.8)
+    {
+        EXPECT_NEAR(restitutionOf(dampingRatioOf(wanted)) / wanted, 1, 1e-9) << wanted;
+    }
+    // Both branches meet at critical damping.
+    EXPECT_NEAR(restitutionOf(1 - 1e-6), std::exp(-2.0), 1e-6);
+    EXPECT_NEAR(restitutionOf(1 + 1e-6), std::exp(-2.0), 1e-6);
+}
+
+TEST(LinearLaw, normalForceIsTheSpringsAndNeverAttracts)
+{
+    LinearLaw law;
+    law.normalStiffness = stiffness;
+    law.dampingRatio = 0.5;
+    test::RandomSource random(111);
+    Vector2 spring = Vector2::Zero();
+    for (int i = 0; i < 1000; ++i)
+    {
+        const Vector2 normal = random.direction();
+        const Vector2 velocity = random.logUniform(1e-6, 1e2) * random.direction();
+        const ContactState<2> state{random.logUniform(1e-12, 1e-3), normal, velocity, 0.3};
+        const double damping = 2 * 0.5 * std::sqrt(0.3 * stiffness);
+        const Vector2 force = contactForce(law, state, 1e-6, spring);
+        const double expected = std::max(0.0, stiffness * state.depth + damping * velocity.dot(normal));
+        EXPECT_NEAR(force.dot(normal), -expected, 1e-12 * (expected + 1));
+        EXPECT_NEAR(cross(force, normal), 0, 1e-12 * (expected + 1));
+        EXPECT_EQ(spring, Vector2::Zero());
+    }
+}
+
+TEST(LinearLaw, frictionIsElasticUpToCoulombsLimitAndSlidesThere)
+{
+    const LinearLaw law = frictional(0.4);
+    const double depth = 1e-5;
+    const double limit = 0.4 * stiffness * depth;
+    Vector2 spring = Vector2::Zero();
+    const double timeStep = 1e-4;
+    const double speed = 1e-3;
+    double slipped = 0;
+    for (int i = 0; i < 1000; ++i)
+    {
+        const ContactState<2> state{depth, Vector2(0, 1), Vector2(speed, 0), 1};
+        const Vector2 force = contactForce(law, state, timeStep, spring);
+        slipped += speed * timeStep;
+        const double expected = std::min(limit, law.tangentialStiffness * slipped);
+        ASSERT_NEAR(force.x(), -expected, 1e-12 * limit) << "step " << i;
+        ASSERT_NEAR(force.y(), -stiffness * depth, 1e-12 * limit);
+    }
+    // Having slid, it unloads elastically: back by half of the spring leaves half of the force.
+    const double half = limit / law.tangentialStiffness / 2;
+    const ContactState<2> back{depth, Vector2(0, 1), Vector2(-half / timeStep, 0), 1};
+    EXPECT_NEAR(contactForce(law, back, timeStep, spring).x(), -limit / 2, 1e-9 * limit);
+}
+
+TEST(LinearLaw, coulombsLimitHoldsWhateverTheState)
+{
+    LinearLaw law = frictional(0.3);
+    law.dampingRatio = 0.2;
+    test::RandomSource random(112);
+    for (int i = 0; i < 2000; ++i)
+    {
+        const Vector2 normal = random.direction();
+        Vector2 spring = random.logUniform(1e-9, 1e-3) * random.direction();
+        const ContactState<2> state{random.logUniform(1e-9, 1e-3), normal, random.logUniform(1e-6, 1) * random.direction(), 0.7};
+        const Vector2 force = contactForce(law, state, 1e-5, spring);
+        const double normalForce = -force.dot(normal);
+        EXPECT_GE(normalForce, 0);
+        EXPECT_LE(std::abs(cross(normal, force)), 0.3 * normalForce * (1 + 1e-12) + 1e-15);
+        // The next step starts from a spring that gives just this force.
+        const double damping = 2 * 0.2 * std::sqrt(0.7 * law.tangentialStiffness);
+        const Vector2 slip = state.relativeVelocity - state.relativeVelocity.dot(normal) * normal;
+        const Vector2 tangential = force + normalForce * normal;
+        EXPECT_LT((tangential + law.tangentialStiffness * spring + damping * slip).norm(), 1e-10 * (1 + damping));
+    }
+}
+
+TEST(LinearLaw, theSpringTurnsWithTheContactAndKeepsItsLength)
+{
+    const LinearLaw law = frictional(1e3);
+    test::RandomSource random(113);
+    double angle = 0.3;
+    Vector2 spring = 1e-6 * perpendicular(Vector2(std::cos(angle), std::sin(angle)));
+    for (int i = 0; i < 1000; ++i)
+    {
+        angle += random.uniform(-0.5, 0.5);
+        const Vector2 normal(std::cos(angle), std::sin(angle));
+        contactForce(law, ContactState<2>{1e-5, normal, Vector2::Zero(), 1}, 1e-5, spring);
+        ASSERT_NEAR(spring.norm(), 1e-6, 1e-6 * 1e-12);
+        ASSERT_NEAR(spring.dot(normal), 0, 1e-6 * 1e-14);
+        ASSERT_GT(cross(normal, spring), 0) << "it never changes sides";
+    }
+}
+
+TEST(LinearLaw, aBlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove)
+{
+    // Gravity turned instead of the plane; the block does not turn.
+    const double friction = 0.5;
+    const LinearLaw law = frictional(friction);
+    const double mass = 2;
+    const double timeStep = 1e-5;
+    const auto slideAfter = [&](double incline, double time)
+    {
+        const Vector2 weight = 9.81 * mass * Vector2(std::sin(incline), -std::cos(incline));
+        const Vector2 normal(0, -1);
+        Vector2 position(0, -9.81 * mass * std::cos(incline) / stiffness);
+        Vector2 velocity = Vector2::Zero();
+        Vector2 spring = Vector2::Zero();
+        Vector2 force = Vector2::Zero();
+        const int steps = static_cast<int>(time / timeStep);
+        for (int i = 0; i < steps; ++i)
+        {
+            velocity += timeStep / 2 / mass * force;
+            position += timeStep * velocity;
+            force = weight + contactForce(law, ContactState<2>{-position.y(), normal, velocity, mass}, timeStep, spring);
+            velocity += timeStep / 2 / mass * force;
+        }
+        return position.x();
+    };
+    const double angle = std::atan(friction);
+    // Stuck: the tangential spring oscillates about its rest by its own length (never damped here).
+    const double elastic = 9.81 * mass * std::sin(0.9 * angle) / law.tangentialStiffness;
+    EXPECT_LE(std::abs(slideAfter(0.7 * angle, 1.0)), 2 * elastic);
+    // Sliding: g (sin - mu cos) t^2/2, less what it does before the spring is cut.
+    for (const double incline : {1.2 * angle, 1.5 * angle})
+    {
+        const double acceleration = 9.81 * (std::sin(incline) - friction * std::cos(incline));
+        EXPECT_NEAR(slideAfter(incline, 1.0) / (acceleration / 2), 1, 5e-3);
+    }
+}
+
+TEST(LinearLaw, elasticEnergyIsTheWorkOfItsSprings)
+{
+    const LinearLaw law = frictional(1);
+    EXPECT_DOUBLE_EQ(elasticEnergy<2>(law, 2e-3, Vector2(3e-4, 4e-4)), 0.5 * (1e6 * 4e-6 + 0.5e6 * 25e-8));
+}
