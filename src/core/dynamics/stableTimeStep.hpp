@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chesil
 {
@@ -32,6 +33,10 @@ public:
     /// Infinite without grains.
     double of(double stiffness, double dampingRatio, double localDamping) const
     {
+        if (largestMobility_ == 0)
+        {
+            return std::numeric_limits<double>::infinity();
+        }
         constexpr double contactsOfAGrain = 6;
         const double raised = 1 + localDamping;
         const double frequency = std::sqrt(2 * raised * stiffness * contactsOfAGrain * largestMobility_);

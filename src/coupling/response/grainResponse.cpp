@@ -17,7 +17,6 @@ constexpr double relaxation = 1.0 / 3;
 GrainResponse::GrainResponse(World& world, double fluidDensity, double shareOfStable)
 : world_(world),
   fluidDensity_(fluidDensity),
-  hydrodynamic_(world.bodies().size()),
   remainder_(world.bodies().size()),
   acceleration_(world.bodies().size(), Vector2::Zero()),
   angularAcceleration_(world.bodies().size(), 0.0)
@@ -26,19 +25,28 @@ GrainResponse::GrainResponse(World& world, double fluidDensity, double shareOfSt
     longestSubstep_ = shareOfStable * world_.stableTimeStep();
 }
 
+GrainLoads GrainResponse::hydrodynamicLoads(const GrainLoads& forcing) const
+{
+    GrainLoads loads = forcing;
+    for (std::size_t i = 0; i < loads.force.size(); ++i)
+    {
+        loads.force[i] += fluidDensity_ * world_.areaOf(i) * acceleration_[i];
+        loads.torque[i] += fluidDensity_ * world_.polarMomentOf(i) * angularAcceleration_[i];
+    }
+    return loads;
+}
+
 StepStatus GrainResponse::advance(const GrainLoads& forcing, double interval)
 {
     const Bodies<2>& bodies = world_.bodies();
-    hydrodynamic_ = forcing;
+    const GrainLoads loads = hydrodynamicLoads(forcing);
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
-        const Vector2 inside = fluidDensity_ * world_.areaOf(i) * acceleration_[i];
-        const double insideTurning = fluidDensity_ * world_.polarMomentOf(i) * angularAcceleration_[i];
-        hydrodynamic_.force[i] += inside;
-        hydrodynamic_.torque[i] += insideTurning;
-        remainder_.force[i] += relaxation * (hydrodynamic_.force[i] + virtualMass * inside - remainder_.force[i]);
-        remainder_.torque[i] +=
-            relaxation * (hydrodynamic_.torque[i] + virtualMass * insideTurning - remainder_.torque[i]);
+        const double displaced = virtualMass * fluidDensity_;
+        const Vector2 force = loads.force[i] + displaced * world_.areaOf(i) * acceleration_[i];
+        const double torque = loads.torque[i] + displaced * world_.polarMomentOf(i) * angularAcceleration_[i];
+        remainder_.force[i] += relaxation * (force - remainder_.force[i]);
+        remainder_.torque[i] += relaxation * (torque - remainder_.torque[i]);
     }
     world_.setExternalLoads(remainder_.force, remainder_.torque);
 

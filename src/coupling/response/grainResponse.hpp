@@ -27,8 +27,8 @@ public:
     /// Moves the grains over `interval` [s] under the forcing's loads, summed over all ranks.
     StepStatus advance(const GrainLoads& forcing, double interval);
 
-    /// Force on grain i in the last step, that of the inside fluid included; buoyancy is not [N/m].
-    const GrainLoads& hydrodynamicLoads() const { return hydrodynamic_; }
+    /// What the fluid does to the grains: the forcing's loads and the inertia of the inside fluid; without buoyancy.
+    GrainLoads hydrodynamicLoads(const GrainLoads& forcing) const;
 
     /// Substeps of the last step.
     int substeps() const { return substeps_; }
@@ -37,7 +37,6 @@ private:
     World& world_;
     double fluidDensity_;
     double longestSubstep_;
-    GrainLoads hydrodynamic_;
     /// R of the class's description.
     GrainLoads remainder_;
     std::vector<Vector2> acceleration_;

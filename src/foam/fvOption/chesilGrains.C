@@ -10,6 +10,7 @@
 #include "fvMesh.H"
 
 #include "core/base/setupError.hpp"
+#include "checkedDictionary.H"
 #include "meshCellView.H"
 #include "worldSettingsReader.H"
 
@@ -171,7 +172,10 @@ void Foam::fv::chesilGrains::writeSeries()
 {
     if (unwritten_ >= 0)
     {
-        series_->write(unwritten_, *world_, response_->hydrodynamicLoads());
+        series_->write
+        (
+            unwritten_, *world_, response_->hydrodynamicLoads(loads_)
+        );
         unwritten_ = -1;
     }
 }
@@ -206,6 +210,7 @@ Foam::fv::chesilGrains::chesilGrains
     setFields({coeffs_.lookupOrDefault<word>("U", "U")});
     try
     {
+        checkedDictionary(coeffs_, {"type", "active", "log", "U", "nu"});
         build();
     }
     catch (const chesil::SetupError& error)

@@ -1,0 +1,94 @@
+#include "core/world/pairContact.hpp"
+
+#include "unit/core/narrowphase/pairQuery.hpp"
+#include "unit/core/world/worldScenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace chesil;
+
+TEST(PairContact, disksByFormulaAreDisksByGjk)
+{
+    test::RandomSource random(181);
+    int contacts = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+        const Circle a(random.uniform(0.5, 1));
+        const Circle b(random.uniform(0.5, 1));
+        const Pose<2> poseA = random.pose(1);
+        const Pose<2> poseB = random.pose(1);
+        Vector2 direction = Vector2::Zero();
+        ContactGeometry<2> contact{};
+        const PairStatus status = pairContact(a, poseA, b, poseB, direction, contact);
+        const test::PairAnswer answer = test::query(a, poseA, b, poseB);
+        ASSERT_EQ(status == PairStatus::overlapping, answer.overlaps());
+        if (answer.overlaps())
+        {
+            ++contacts;
+            const double depthError = test::promisedDepth * answer.size;
+            const double distance = (poseA.position - poseB.position).norm();
+            EXPECT_NEAR(contact.depth, answer.depth, depthError);
+            // The depth rises by distance (1 - cos) with the angle from the right normal.
+            const double normalError = std::sqrt(2 * depthError / distance);
+            EXPECT_LT((contact.normal - answer.normal).norm(), 1.01 * normalError);
+            EXPECT_LT((contact.point - answer.point).norm(), 4 * normalError * answer.size);
+        }
+    }
+    EXPECT_GT(contacts, 500);
+}
+
+TEST(PairContact, directionIsHandedOn)
+{
+    const Shape egg = Ellipse(2, 1);
+    const Pose<2> here{};
+    Vector2 direction = Vector2::Zero();
+    ContactGeometry<2> contact{};
+    const Pose<2> apart{Vector2(3, 1.9), {}};
+    ASSERT_EQ(pairContact(egg, here, egg, apart, direction, contact), PairStatus::separated);
+    // It separates them: the furthest of A along it is short of the nearest of B.
+    EXPECT_LT(support(egg, direction).dot(direction), (apart.position + support(egg, -direction)).dot(direction));
+    const Pose<2> near{Vector2(2, 1), {}};
+    ASSERT_EQ(pairContact(egg, here, egg, near, direction, contact), PairStatus::overlapping);
+    EXPECT_EQ(direction, contact.normal);
+}
+
+TEST(PairContact, farPairsAreNotSearched)
+{
+    const Shape egg = Ellipse(2, 1);
+    Vector2 direction = Vector2::Zero();
+    ContactGeometry<2> contact{};
+    EXPECT_EQ(pairContact(egg, Pose<2>{}, egg, Pose<2>{Vector2(4.01, 0), {}}, direction, contact), PairStatus::separated);
+    EXPECT_EQ(direction, Vector2::Zero());
+}
+
+TEST(PairContact, notANumberHasAStatusForEveryPairOfKinds)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<NamedShape> shapes = test::shapesOfEachKind(182);
+    for (const NamedShape& a : shapes)
+    {
+        for (const NamedShape& b : shapes)
+        {
+            Vector2 direction = Vector2::Zero();
+            ContactGeometry<2> contact{};
+            const Pose<2> broken{Vector2(0.01, nan), {}};
+            EXPECT_EQ(pairContact(a.shape, Pose<2>{}, b.shape, broken, direction, contact), PairStatus::notFinite)
+                << a.name << ' ' << b.name;
+            direction = Vector2::Zero();
+            const Pose<2> infinite{Vector2(INFINITY, 0), {}};
+            EXPECT_EQ(pairContact(a.shape, Pose<2>{}, b.shape, infinite, direction, contact), PairStatus::notFinite)
+                << a.name << ' ' << b.name;
+        }
+    }
+}
+
+TEST(PairContact, concentricDisksHaveAFiniteNormal)
+{
+    Vector2 direction = Vector2::Zero();
+    ContactGeometry<2> contact{};
+    ASSERT_EQ(pairContact(Circle(1), Pose<2>{}, Circle(0.5), Pose<2>{}, direction, contact), PairStatus::overlapping);
+    EXPECT_EQ(contact.depth, 1.5);
+    EXPECT_EQ(contact.normal.norm(), 1);
+}
