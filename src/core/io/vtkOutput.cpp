@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <ostream>
 
 namespace chesil
@@ -78,18 +79,12 @@ void writePolyData(std::ostream& file, const char* kind, const std::vector<Polyl
     file << "</DataArray>\n</" << kind << ">\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
-/// The part of a wall inside all other walls, as long as the grains' extent along it.
+/// The part of a wall inside all other walls; where none bounds it, as long as the grains' extent along it.
 Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
 {
     const Vector2 tangent = perpendicular(wall.normal);
-    double from = 0;
-    double to = 0;
-    for (std::size_t i = 0; i < world.bodies().size(); ++i)
-    {
-        const double along = tangent.dot(world.bodies().pose[i].position - wall.point);
-        from = std::min(from, along - world.bodies().boundingRadius[i]);
-        to = std::max(to, along + world.bodies().boundingRadius[i]);
-    }
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
     for (const PlaneWall<2>& other : world.settings().walls)
     {
         const double slope = tangent.dot(other.normal);
@@ -99,6 +94,17 @@ Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
             (slope > 0 ? from : to) = slope > 0 ? std::max(from, crossing) : std::min(to, crossing);
         }
     }
+
+    double lowest = 0;
+    double highest = 0;
+    for (std::size_t i = 0; i < world.bodies().size(); ++i)
+    {
+        const double along = tangent.dot(world.bodies().pose[i].position - wall.point);
+        lowest = std::min(lowest, along - world.bodies().boundingRadius[i]);
+        highest = std::max(highest, along + world.bodies().boundingRadius[i]);
+    }
+    from = std::isfinite(from) ? from : lowest;
+    to = std::isfinite(to) ? to : highest;
     return {{wall.point + from * tangent, wall.point + to * tangent}};
 }
 
