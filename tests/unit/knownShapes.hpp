@@ -11,7 +11,7 @@ namespace chesil::test
 {
 
 /// The cubic segment nearest a quarter or less of a circle: ends and tangents exact, middle on the circle.
-/// The radius is off by about (4/27) (angle/4)^6 of itself: 2.7e-4 for a quarter, 1e-9 for a 32nd.
+/// The radius is off by about (2/27) (angle/4)^6 of itself: 2.7e-4 for a quarter, 1e-9 for a 32nd.
 inline CubicBezier circularSegment(const Vector2& centre, double radius, double from, double to)
 {
     const double reach = radius * 4.0 / 3.0 * std::tan((to - from) / 4);
@@ -19,7 +19,8 @@ inline CubicBezier circularSegment(const Vector2& centre, double radius, double 
     const Vector2 normal1(std::cos(to), std::sin(to));
     const Vector2 start = centre + radius * normal0;
     const Vector2 end = centre + radius * normal1;
-    return CubicBezier({start, start + reach * perpendicular(normal0), end - reach * perpendicular(normal1), end});
+    return CubicBezier(
+        {start, start + reach * perpendicular(normal0), end - reach * perpendicular(normal1), end});
 }
 
 /// Joins each segment to the next one's start, to the bit.
@@ -36,12 +37,14 @@ inline std::vector<CubicBezier> joined(const std::vector<CubicBezier>& segments)
 }
 
 /// An ellipse of half-axes a, b [m] in `count` segments.
-inline std::vector<CubicBezier> ellipseSegments(int count, double a, double b, const Vector2& centre = Vector2::Zero())
+inline std::vector<CubicBezier> ellipseSegments(int count, double a, double b,
+                                                const Vector2& centre = Vector2::Zero())
 {
     std::vector<CubicBezier> segments;
     for (int i = 0; i < count; ++i)
     {
-        auto points = circularSegment(Vector2::Zero(), 1, 2 * M_PI * i / count, 2 * M_PI * (i + 1) / count).controlPoints();
+        auto points = circularSegment(Vector2::Zero(), 1, 2 * M_PI * i / count, 2 * M_PI * (i + 1) / count)
+                          .controlPoints();
         for (Vector2& point : points)
         {
             point = centre + Vector2(a * point.x(), b * point.y());
@@ -61,10 +64,12 @@ inline std::vector<CubicBezier> polygonSegments(const std::vector<Vector2>& vert
     return joined(segments);
 }
 
-inline std::vector<Vector2> rectangleVertices(double width, double height, const Vector2& centre = Vector2::Zero())
+inline std::vector<Vector2> rectangleVertices(double width, double height,
+                                              const Vector2& centre = Vector2::Zero())
 {
     const Vector2 half(width / 2, height / 2);
-    return {centre - half, centre + Vector2(half.x(), -half.y()), centre + half, centre + Vector2(-half.x(), half.y())};
+    return {centre - half, centre + Vector2(half.x(), -half.y()), centre + half,
+            centre + Vector2(-half.x(), half.y())};
 }
 
 inline ConvexPolygon rectangle(double width, double height)
@@ -80,7 +85,8 @@ inline PolyBezier roundedSquare(double side, double radius)
     std::vector<CubicBezier> arcs;
     for (int i = 0; i < 4; ++i)
     {
-        arcs.push_back(circularSegment(centres[static_cast<std::size_t>(i)], radius, i * M_PI / 2, (i + 1) * M_PI / 2));
+        arcs.push_back(
+            circularSegment(centres[static_cast<std::size_t>(i)], radius, i * M_PI / 2, (i + 1) * M_PI / 2));
     }
     std::vector<CubicBezier> segments;
     for (std::size_t i = 0; i < 4; ++i)

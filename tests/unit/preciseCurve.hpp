@@ -39,7 +39,8 @@ inline PrecisePoint preciseAt(const EllipticArc& arc, Real t)
     const Real angle = arc.from + (static_cast<Real>(arc.to) - arc.from) * t;
     const Real c = std::cos(angle);
     const Real s = std::sin(angle);
-    return {arc.centre.x() + c * arc.axisA.x() + s * arc.axisB.x(), arc.centre.y() + c * arc.axisA.y() + s * arc.axisB.y()};
+    return {arc.centre.x() + c * arc.axisA.x() + s * arc.axisB.x(),
+            arc.centre.y() + c * arc.axisA.y() + s * arc.axisB.y()};
 }
 
 inline PrecisePoint preciseDerivative(const CubicBezier& segment, Real t)
@@ -68,7 +69,8 @@ struct PreciseMoments
     Real polarAboutCentroid() const { return polar - (first.x * first.x + first.y * first.y) / area; }
 };
 
-/// Abscissae and weights of Gauss's rule with 10 points on [0, 1], by Newton's method on Legendre's polynomial.
+/// Abscissae and weights of Gauss's rule with 10 points on [0, 1], by Newton's method on Legendre's
+/// polynomial.
 inline std::vector<std::array<Real, 2>> gaussRule()
 {
     constexpr int points = 10;
@@ -115,18 +117,20 @@ inline PreciseMoments preciseMoments(const std::vector<CubicBezier>& boundary)
 }
 
 /// How far a convex outline reaches along a direction: the best of a dense sweep of points, then refined by
-/// golden section between its neighbours. Its error is quadratic in the last interval (1e-9 of a piece), hence
-/// nothing but the rounding of long double.
+/// golden section between its neighbours. Its error is quadratic in the last interval (1e-9 of a piece),
+/// hence nothing but the rounding of long double.
 class HeightSweep
 {
 public:
-    explicit HeightSweep(Outline outline, int samplesOfAPiece) : outline_(std::move(outline)), samples_(samplesOfAPiece)
+    explicit HeightSweep(Outline outline, int samplesOfAPiece)
+        : outline_(std::move(outline)), samples_(samplesOfAPiece)
     {
         for (const OutlinePiece& piece : outline_)
         {
             for (int i = 0; i <= samples_; ++i)
             {
-                points_.push_back(std::visit([&](const auto& p) { return preciseAt(p, Real(i) / samples_); }, piece));
+                points_.push_back(
+                    std::visit([&](const auto& p) { return preciseAt(p, Real(i) / samples_); }, piece));
             }
         }
     }

@@ -3,6 +3,8 @@
 #include "core/narrowphase/epa.hpp"
 #include "core/narrowphase/gjk.hpp"
 
+#include <cmath>
+
 namespace chesil
 {
 
@@ -40,9 +42,10 @@ PairStatus contactOf(
 {
     const MinkowskiDifference<2, ShapeA, ShapeB> difference(a, poseA, b, poseB);
     const double size = difference.size();
-    if (difference.centreToCentre().squaredNorm() > size * size)
+    const double squaredDistance = difference.centreToCentre().squaredNorm();
+    if (!(squaredDistance <= size * size))
     {
-        return PairStatus::separated;
+        return std::isfinite(squaredDistance) ? PairStatus::separated : PairStatus::notFinite;
     }
     if (direction == Vector2::Zero())
     {

@@ -64,7 +64,8 @@ TEST(NeighbourSearch, randomScenes)
     std::size_t found = 0;
     for (int i = 0; i < 60; ++i)
     {
-        const Scene scene = randomScene(random.integer(2, 300), random.logUniform(3, 100), i % 2 == 0 ? 1 : 50, random);
+        const Scene scene =
+            randomScene(random.integer(2, 300), random.logUniform(3, 100), i % 2 == 0 ? 1 : 50, random);
         const double margin = i % 3 == 0 ? 0 : random.uniform(0, 1);
         const Pairs expected = bruteForce(scene, margin);
         ASSERT_EQ(search.find(scene.positions, scene.radii, margin), expected) << "scene " << i;

@@ -13,8 +13,8 @@ namespace
 
 constexpr double stiffness = 1e6;
 
-/// One dimension, two bodies: what a collision leaves of the approach velocity. Kick-drift-kick as the world does
-/// it, with `steps` steps in half a period.
+/// One dimension, two bodies: what a collision leaves of the approach velocity. Kick-drift-kick as the world
+/// does it, with `steps` steps in half a period.
 double reboundOf(double dampingRatio, double mass1, double mass2, int steps)
 {
     LinearLaw law;
@@ -133,7 +133,8 @@ TEST(LinearLaw, coulombsLimitHoldsWhateverTheState)
     {
         const Vector2 normal = random.direction();
         Vector2 spring = random.logUniform(1e-9, 1e-3) * random.direction();
-        const ContactState<2> state{random.logUniform(1e-9, 1e-3), normal, random.logUniform(1e-6, 1) * random.direction(), 0.7};
+        const ContactState<2> state{random.logUniform(1e-9, 1e-3), normal,
+                                    random.logUniform(1e-6, 1) * random.direction(), 0.7};
         const Vector2 force = contactForce(law, state, 1e-5, spring);
         const double normalForce = -force.dot(normal);
         EXPECT_GE(normalForce, 0);
@@ -142,7 +143,8 @@ TEST(LinearLaw, coulombsLimitHoldsWhateverTheState)
         const double damping = 2 * 0.2 * std::sqrt(0.7 * law.tangentialStiffness);
         const Vector2 slip = state.relativeVelocity - state.relativeVelocity.dot(normal) * normal;
         const Vector2 tangential = force + normalForce * normal;
-        EXPECT_LT((tangential + law.tangentialStiffness * spring + damping * slip).norm(), 1e-10 * (1 + damping));
+        EXPECT_LT((tangential + law.tangentialStiffness * spring + damping * slip).norm(),
+                  1e-10 * (1 + damping));
     }
 }
 
@@ -183,7 +185,8 @@ TEST(LinearLaw, aBlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove)
         {
             velocity += timeStep / 2 / mass * force;
             position += timeStep * velocity;
-            force = weight + contactForce(law, ContactState<2>{-position.y(), normal, velocity, mass}, timeStep, spring);
+            force = weight + contactForce(law, ContactState<2>{-position.y(), normal, velocity, mass},
+                                          timeStep, spring);
             velocity += timeStep / 2 / mass * force;
         }
         return position.x();
@@ -192,7 +195,8 @@ TEST(LinearLaw, aBlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove)
     // Stuck: the tangential spring oscillates about its rest by its own length (never damped here).
     const double elastic = 9.81 * mass * std::sin(0.9 * angle) / law.tangentialStiffness;
     EXPECT_LE(std::abs(slideAfter(0.7 * angle, 1.0)), 2 * elastic);
-    // Sliding: x0 + v0 t + g (sin - mu cos) t^2/2, where v0 is what it gains before the spring has its full force.
+    // Sliding: x0 + v0 t + g (sin - mu cos) t^2/2, where v0 is what it gains before the spring has its full
+    // force.
     for (const double incline : {1.2 * angle, 1.5 * angle})
     {
         const double acceleration = 9.81 * (std::sin(incline) - friction * std::cos(incline));

@@ -26,11 +26,10 @@ struct Disk
 class Cluster
 {
 public:
-    Cluster(const std::vector<Disk>& disks, double normalStiffness, double tangentialStiffness, double dampingRatio)
-    : disks_(disks),
-      stiffness_(Eigen::MatrixXd::Zero(unknowns(), unknowns())),
-      damping_(Eigen::MatrixXd::Zero(unknowns(), unknowns())),
-      inverseMass_(unknowns())
+    Cluster(const std::vector<Disk>& disks, double normalStiffness, double tangentialStiffness,
+            double dampingRatio)
+        : disks_(disks), stiffness_(Eigen::MatrixXd::Zero(unknowns(), unknowns())),
+          damping_(Eigen::MatrixXd::Zero(unknowns(), unknowns())), inverseMass_(unknowns())
     {
         for (std::size_t i = 0; i < disks.size(); ++i)
         {
@@ -47,7 +46,8 @@ public:
                     const Vector2 normal = offset.normalized();
                     const double effectiveMass = 1 / (1 / disks[i].mass() + 1 / disks[j].mass());
                     add(i, j, normal, normalStiffness, dampingRatio, effectiveMass, normal);
-                    add(i, j, normal, tangentialStiffness, dampingRatio, effectiveMass, perpendicular(normal));
+                    add(i, j, normal, tangentialStiffness, dampingRatio, effectiveMass,
+                        perpendicular(normal));
                     ++contacts_;
                 }
             }
@@ -66,7 +66,9 @@ public:
     {
         const Eigen::VectorXd root = inverseMass_.cwiseSqrt();
         const Eigen::MatrixXd scaled = root.asDiagonal() * stiffness_ * root.asDiagonal();
-        return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+        return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
+            .eigenvalues()
+            .maxCoeff();
     }
 
     /// Largest modulus of the eigenvalues of one step, x' = x + h u, u' = u - h M^-1 (K x' + C u).
@@ -88,8 +90,8 @@ public:
 private:
     Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(disks_.size()); }
 
-    void add(
-        std::size_t i, std::size_t j, const Vector2& normal, double k, double ratio, double effectiveMass, const Vector2& along)
+    void add(std::size_t i, std::size_t j, const Vector2& normal, double k, double ratio,
+             double effectiveMass, const Vector2& along)
     {
         // Relative velocity of the contact point along a direction, as a row that multiplies (v, w) of all.
         Eigen::VectorXd row = Eigen::VectorXd::Zero(unknowns());
@@ -167,7 +169,8 @@ std::vector<Disk> randomCluster(int number, test::RandomSource& random)
             continue;
         }
         const Vector2 unit = base.normalized();
-        const Vector2 centre = a.centre + along * unit + std::sqrt(toA * toA - along * along) * perpendicular(unit);
+        const Vector2 centre =
+            a.centre + along * unit + std::sqrt(toA * toA - along * along) * perpendicular(unit);
         const auto overlaps = [&](const Disk& disk)
         { return (disk.centre - centre).norm() < (disk.radius + radius) * (1 - 1e-12); };
         if (std::none_of(disks.begin(), disks.end(), overlaps))
@@ -188,7 +191,8 @@ void expectStable(const std::vector<Disk>& disks, int contacts)
         for (const double ratio : {0.05, 0.3, 1.0})
         {
             const Cluster damped(disks, 1e7, tangential, ratio);
-            EXPECT_LE(damped.growthOfAStep(damped.stableStep()), 1 + 1e-6) << "ratio " << ratio << " kt " << tangential;
+            EXPECT_LE(damped.growthOfAStep(damped.stableStep()), 1 + 1e-6)
+                << "ratio " << ratio << " kt " << tangential;
         }
     }
 }

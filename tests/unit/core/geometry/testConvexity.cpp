@@ -45,7 +45,8 @@ TEST(Convexity, acceptsConvexOutlines)
 
 TEST(Convexity, refusesWhatIsNotFinite)
 {
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     {
         std::vector<Vector2> vertices = square;
         vertices[2].y() = bad;

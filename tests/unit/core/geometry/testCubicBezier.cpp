@@ -145,7 +145,8 @@ TEST(CubicBezier, supportParameterAlongAStraightSegmentsNormalIsFinite)
         const Vector2 start = random.direction();
         const Vector2 edge = random.logUniform(1e-6, 1) * random.direction();
         const CubicBezier segment = CubicBezier::straight(start, start + edge);
-        const double t = segment.supportParameter(-perpendicular(segment.end() - segment.start()).normalized());
+        const double t =
+            segment.supportParameter(-perpendicular(segment.end() - segment.start()).normalized());
         ASSERT_TRUE(t >= 0 && t <= 1) << t << " in trial " << trial;
     }
     const Vector2 right(1, 0);
@@ -168,8 +169,8 @@ TEST(CubicBezier, supportParameterAlongAStraightSegmentsNormalIsFinite)
 
 TEST(CubicBezier, supportParameterOutsideTheNormalRangeIsTheNearerEnd)
 {
-    // Turns from 0 to 170 degrees: normals from -90 to 80 degrees. With an end that turns this far, a direction
-    // beyond the normal range of one end sees the first control edge from behind, too.
+    // Turns from 0 to 170 degrees: normals from -90 to 80 degrees. With an end that turns this far, a
+    // direction beyond the normal range of one end sees the first control edge from behind, too.
     const double turn = 170 * M_PI / 180;
     const Vector2 end = Vector2(1.1, 0) + 0.5 * Vector2(std::cos(turn), std::sin(turn));
     const CubicBezier segment({Vector2(0, 0), Vector2(1, 0), Vector2(1.1, 0), end});

@@ -54,8 +54,8 @@ TEST(Outline, pointsLeaveTheCurveByLessThanTheTolerance)
             const std::vector<Vector2> points = outlinePoints(outline, tolerance);
             const double gap = largestGap(outline, points);
             EXPECT_LE(gap, tolerance);
-            // The bound is not many times too fine (a factor of 2 in the count is one of 4 in the gap), unless each
-            // piece is one chord already.
+            // The bound is not many times too fine (a factor of 2 in the count is one of 4 in the gap),
+            // unless each piece is one chord already.
             if (points.size() > 4 * outline.size())
             {
                 EXPECT_GE(gap, tolerance / 20) << points.size() << " points";
@@ -89,14 +89,16 @@ TEST(Outline, pointsRunCounterClockwiseAndNoneIsRepeated)
         doubleArea += cross(points[i], next);
     }
     EXPECT_NEAR(doubleArea / 2, 4 - (4 - M_PI) * 0.3 * 0.3, 1e-2);
-    // A straight side needs its two ends only: four sides and four corners of sqrt(0.3/(8e-3)) chords or more.
+    // A straight side needs its two ends only: four sides and four corners of sqrt(0.3/(8e-3)) chords or
+    // more.
     EXPECT_LT(points.size(), 4u * (1 + 2 * 12));
 }
 
 TEST(Outline, placedTurnsThenMoves)
 {
     const Pose<2> pose{Vector2(3, 4), Rotation<2>(M_PI / 2)};
-    const Outline outline{CubicBezier::straight({1, 0}, {2, 1}), EllipticArc{Vector2(1, 0), Vector2(2, 0), Vector2(0, 1), 0, 1}};
+    const Outline outline{CubicBezier::straight({1, 0}, {2, 1}),
+                          EllipticArc{Vector2(1, 0), Vector2(2, 0), Vector2(0, 1), 0, 1}};
     const Outline moved = placed(outline, pose);
     const auto& segment = std::get<CubicBezier>(moved[0]);
     EXPECT_LT((segment.start() - Vector2(3, 5)).norm(), 1e-15);

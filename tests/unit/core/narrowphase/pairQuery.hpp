@@ -24,27 +24,33 @@ struct PairAnswer
     Vector2 point = Vector2::Zero();
     /// Sum of both bounding radii [m].
     double size = 0;
+    /// Promise of EPA [m]; if its polytope is full, as between disks that nearly share their centre, it knows
+    /// no more than the distance of its two bounds.
+    double depthError = 0;
 
     bool overlaps() const { return status == GjkStatus::overlapping; }
 };
 
 template <class ShapeA, class ShapeB>
-PairAnswer query(
-    const ShapeA& a, const Pose<2>& poseA, const ShapeB& b, const Pose<2>& poseB, Vector2 direction = Vector2::Zero())
+PairAnswer query(const ShapeA& a, const Pose<2>& poseA, const ShapeB& b, const Pose<2>& poseB,
+                 Vector2 direction = Vector2::Zero())
 {
     const MinkowskiDifference<2, ShapeA, ShapeB> difference(a, poseA, b, poseB);
     if (direction == Vector2::Zero())
     {
-        direction = difference.centreToCentre() == Vector2::Zero() ? Vector2(1, 0) : difference.centreToCentre();
+        direction =
+            difference.centreToCentre() == Vector2::Zero() ? Vector2(1, 0) : difference.centreToCentre();
     }
     const GjkResult<2> search = gjk<2>(difference, direction);
     PairAnswer answer;
     answer.status = search.status;
     answer.size = difference.size();
+    answer.depthError = promisedDepth * answer.size;
     if (answer.overlaps())
     {
         const EpaResult<2> penetration = epa<2>(difference, search.simplex);
         answer.epaStatus = penetration.status;
+        answer.depthError += penetration.status == EpaStatus::converged ? 0 : penetration.residual;
         answer.depth = penetration.depth;
         answer.normal = penetration.normal;
         answer.point = poseA.position + penetration.point;
@@ -67,7 +73,7 @@ class SeparationSweep
 {
 public:
     SeparationSweep(const ShapeA& a, const Pose<2>& poseA, const ShapeB& b, const Pose<2>& poseB)
-    : difference_(a, poseA, b, poseB)
+        : difference_(a, poseA, b, poseB)
     {
     }
 

@@ -27,10 +27,8 @@ struct Known
 double largestError(const PolyBezier& grain, const Known& known)
 {
     const MassProperties mass = grain.massProperties();
-    return std::max(
-        {std::abs(mass.area / known.area - 1),
-         std::abs(mass.polarMoment / known.polarMoment - 1),
-         (grain.givenCentroid() - known.centroid).norm() / std::sqrt(known.area)});
+    return std::max({std::abs(mass.area / known.area - 1), std::abs(mass.polarMoment / known.polarMoment - 1),
+                     (grain.givenCentroid() - known.centroid).norm() / std::sqrt(known.area)});
 }
 
 const Vector2 centre(0.75, -0.5);
@@ -108,7 +106,8 @@ TEST(MassProperties, ofTheOtherShapes)
 
 TEST(MassProperties, impossibleSizesAreRefused)
 {
-    for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    for (const double bad :
+         {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     {
         EXPECT_THROW(Circle{bad}, ValueError) << bad;
         EXPECT_THROW(Ellipse(1, bad), ValueError) << bad;

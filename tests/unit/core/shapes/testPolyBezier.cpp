@@ -34,7 +34,8 @@ std::string refusal(const std::vector<CubicBezier>& segments)
 }
 
 /// With one control point replaced.
-std::vector<CubicBezier> changed(std::vector<CubicBezier> segments, std::size_t segment, std::size_t point, const Vector2& to)
+std::vector<CubicBezier> changed(std::vector<CubicBezier> segments, std::size_t segment, std::size_t point,
+                                 const Vector2& to)
 {
     auto points = segments[segment].controlPoints();
     points[point] = to;
@@ -58,7 +59,8 @@ std::vector<CubicBezier> reversed(const std::vector<CubicBezier>& segments)
 TEST(PolyBezier, refusesAnOpenOutline)
 {
     const auto circle = test::ellipseSegments(8, 1, 1);
-    EXPECT_THAT(refusal(changed(circle, 3, 3, circle[3].end() + Vector2(1e-15, 0))), HasSubstr("segment 3 ends"));
+    EXPECT_THAT(refusal(changed(circle, 3, 3, circle[3].end() + Vector2(1e-15, 0))),
+                HasSubstr("segment 3 ends"));
     EXPECT_THAT(refusal({circle[0], circle[1]}), HasSubstr("m away"));
     EXPECT_THAT(refusal({}), HasSubstr("0 segments"));
     EXPECT_THAT(refusal({circle[0]}), HasSubstr("1 segments"));
@@ -113,7 +115,8 @@ TEST(PolyBezier, refusesASegmentThatTurnsByMoreThanHalfATurn)
     const Vector2 b(1, 0);
     const Vector2 c(0.9, 0.6);
     const Vector2 d(0.3, 0.2);
-    EXPECT_THAT(refusal({CubicBezier({a, b, c, d}), CubicBezier::straight(d, a)}), HasSubstr("segment 0 turns by"));
+    EXPECT_THAT(refusal({CubicBezier({a, b, c, d}), CubicBezier::straight(d, a)}),
+                HasSubstr("segment 0 turns by"));
 }
 
 TEST(PolyBezier, directionOfAJointGivesTheJoint)
@@ -152,17 +155,19 @@ TEST(PolyBezier, repeatedControlPointsAreFinite)
         const Vector2 point = grain.support(direction);
         ASSERT_TRUE(point.allFinite()) << i;
         const Vector2 world = point + grain.givenCentroid();
-        EXPECT_NEAR(direction.dot(world), std::max({direction.dot(a), direction.dot(b), direction.dot(c)}), 8 * epsilon);
+        EXPECT_NEAR(direction.dot(world), std::max({direction.dot(a), direction.dot(b), direction.dot(c)}),
+                    8 * epsilon);
     }
 }
 
 TEST(PolyBezier, collinearJointsAtTheSeamOfTheSearchKeepTheirOrder)
 {
-    // Three joints on the right side, where the search key jumps from 4 to 0, with edges that rounding turns a
-    // little inward or outward.
+    // Three joints on the right side, where the search key jumps from 4 to 0, with edges that rounding turns
+    // a little inward or outward.
     for (const double nudge : {0.0, 2e-16, -2e-16, 2e-10, -2e-10})
     {
-        std::vector<Vector2> vertices{{1, -1}, {1 + nudge, 0}, {1, 1}, {0, 1.5}, {-1, 1}, {-1, -1}, {0, -1.5}};
+        std::vector<Vector2> vertices{{1, -1}, {1 + nudge, 0}, {1, 1},   {0, 1.5},
+                                      {-1, 1}, {-1, -1},       {0, -1.5}};
         for (std::size_t start = 0; start < vertices.size(); ++start)
         {
             const PolyBezier grain(test::polygonSegments(vertices));
@@ -176,8 +181,12 @@ TEST(PolyBezier, collinearJointsAtTheSeamOfTheSearchKeepTheirOrder)
                     furthest = std::max(furthest, vertex.dot(direction));
                 }
                 const double slack = 8 * epsilon + std::abs(nudge);
-                EXPECT_NEAR((grain.support(direction) + grain.givenCentroid()).dot(direction), furthest, slack) << i << ' ' << nudge;
-                EXPECT_NEAR((polygon.support(direction) + polygon.givenCentroid()).dot(direction), furthest, slack) << i << ' ' << nudge;
+                EXPECT_NEAR((grain.support(direction) + grain.givenCentroid()).dot(direction), furthest,
+                            slack)
+                    << i << ' ' << nudge;
+                EXPECT_NEAR((polygon.support(direction) + polygon.givenCentroid()).dot(direction), furthest,
+                            slack)
+                    << i << ' ' << nudge;
             }
             std::rotate(vertices.begin(), vertices.begin() + 1, vertices.end());
         }
@@ -192,7 +201,8 @@ TEST(PolyBezier, aPiecewiseStraightGrainIsThePolygon)
     for (int i = 0; i < 10000; ++i)
     {
         const Vector2 direction = random.direction();
-        EXPECT_NEAR(grain.support(direction).dot(direction), polygon.support(direction).dot(direction), 4 * epsilon);
+        EXPECT_NEAR(grain.support(direction).dot(direction), polygon.support(direction).dot(direction),
+                    4 * epsilon);
     }
     EXPECT_NEAR(grain.massProperties().area, polygon.massProperties().area, 16 * epsilon);
 }
@@ -209,7 +219,8 @@ TEST(PolyBezier, centringKeepsACentredGrainToTheBit)
         const PolyBezier twice(once.segments());
         for (std::size_t k = 0; k < once.segments().size(); ++k)
         {
-            ASSERT_EQ(once.segments()[k].controlPoints(), twice.segments()[k].controlPoints()) << "grain " << i;
+            ASSERT_EQ(once.segments()[k].controlPoints(), twice.segments()[k].controlPoints())
+                << "grain " << i;
         }
     }
 }

@@ -47,7 +47,8 @@ TEST(Placement, grainsStayInTheBoxAndApart)
             EXPECT_LE(grains[i].position.y() + radius, box.upper.y());
             for (std::size_t j = 0; j < i; ++j)
             {
-                EXPECT_GE((grains[i].position - grains[j].position).norm(), radius + radiusOf(grains[j]) * (1 - 1e-12));
+                EXPECT_GE((grains[i].position - grains[j].position).norm(),
+                          radius + radiusOf(grains[j]) * (1 - 1e-12));
             }
         }
     }
@@ -80,8 +81,10 @@ TEST(Placement, theSeedDecides)
     };
     EXPECT_EQ(angles(7), angles(7));
     EXPECT_NE(angles(7), angles(8));
-    // The same numbers on any machine: the first one of mt19937_64 with seed 1 chooses the shape, the second turns.
-    EXPECT_DOUBLE_EQ(angles(1)[0], 2 * M_PI * static_cast<double>(std::uint64_t{2516265689700432462u} >> 11) * 0x1p-53);
+    // The same numbers on any machine: the first one of mt19937_64 with seed 1 chooses the shape, the second
+    // turns.
+    EXPECT_DOUBLE_EQ(angles(1)[0],
+                     2 * M_PI * static_cast<double>(std::uint64_t{2516265689700432462u} >> 11) * 0x1p-53);
 }
 
 TEST(Placement, refusesGrainsThatAreTooBig)

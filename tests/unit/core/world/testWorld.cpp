@@ -52,7 +52,8 @@ TEST(World, aGrainThatIsNoNumberIsReported)
     for (const int broken : {0, 5, 11})
     {
         WorldSettings settings = test::mixedScene(12, 151);
-        settings.grains[static_cast<std::size_t>(broken)].velocity.y() = std::numeric_limits<double>::quiet_NaN();
+        settings.grains[static_cast<std::size_t>(broken)].velocity.y() =
+            std::numeric_limits<double>::quiet_NaN();
         World world(settings);
         world.updateForces(0);
         EXPECT_EQ(world.step(1e-5), StepStatus::notFinite);
@@ -96,7 +97,8 @@ TEST(World, immerseGivesTheBuoyantWeightAndTheVirtualMass)
         world.step(0.1);
         const Vector2 expected = 0.1 * (2650 - 1000) / (2650 + virtualMass * 1000) * settings.gravity;
         EXPECT_LT((world.bodies().velocity[0] - expected).norm(), 1e-14);
-        EXPECT_NEAR(world.bodies().inverseInertia[0] * (2650 + virtualMass * 1000) * world.polarMomentOf(0), 1, 8 * epsilon);
+        EXPECT_NEAR(world.bodies().inverseInertia[0] * (2650 + virtualMass * 1000) * world.polarMomentOf(0),
+                    1, 8 * epsilon);
     }
     // Of the fluid's density it floats.
     World floating(settings);
@@ -148,8 +150,8 @@ TEST(World, momentumIsKeptWithoutWallsAndLoads)
         for (std::size_t i = 0; i < bodies.size(); ++i)
         {
             linear += bodies.velocity[i] / bodies.inverseMass[i];
-            angular += cross(bodies.pose[i].position, bodies.velocity[i]) / bodies.inverseMass[i]
-                + bodies.angularVelocity[i] / bodies.inverseInertia[i];
+            angular += cross(bodies.pose[i].position, bodies.velocity[i]) / bodies.inverseMass[i] +
+                       bodies.angularVelocity[i] / bodies.inverseInertia[i];
         }
         return std::pair{linear, angular};
     };
@@ -169,7 +171,8 @@ TEST(World, momentumIsKeptWithoutWallsAndLoads)
 
 TEST(World, farFromTheOriginTheContactsAreAlike)
 {
-    // Coordinates are multiples of 2^-12 m, so that a shift by 1024 m is exact: only contact points are rounded.
+    // Coordinates are multiples of 2^-12 m, so that a shift by 1024 m is exact: only contact points are
+    // rounded.
     const auto settledOn = [](const Vector2& shift)
     {
         WorldSettings settings = test::quartzSettings();
@@ -215,7 +218,8 @@ TEST(World, farFromTheOriginTheContactsAreAlike)
 
 TEST(World, frictionHistoryOutlivesANewNeighbourList)
 {
-    // An egg on the floor, pushed by less than friction holds, while another grain flies past to force searches.
+    // An egg on the floor, pushed by less than friction holds, while another grain flies past to force
+    // searches.
     WorldSettings settings = test::quartzSettings();
     settings.shapes = {{"egg", Ellipse(0.05, 0.03)}};
     settings.walls = {test::floorWall()};

@@ -40,18 +40,17 @@ inline WorldSettings quartzSettings()
     return settings;
 }
 
-inline PlaneWall<2> floorWall()
-{
-    return {"floor", Vector2(0, 0), Vector2(0, 1)};
-}
+inline PlaneWall<2> floorWall() { return {"floor", Vector2(0, 0), Vector2(0, 1)}; }
 
 /// `number` grains of all kinds on a lattice above a box 0.6 m wide.
 inline WorldSettings mixedScene(int number, std::uint64_t seed)
 {
     WorldSettings settings = quartzSettings();
     settings.shapes = shapesOfEachKind(seed);
-    settings.grains = placeOnLattice(settings.shapes, {0, 1, 2, 3}, number, {Vector2(0, 0), Vector2(0.6, 2)}, seed);
-    settings.walls = {floorWall(), {"left", Vector2(0, 0), Vector2(1, 0)}, {"right", Vector2(0.6, 0), Vector2(-1, 0)}};
+    settings.grains =
+        placeOnLattice(settings.shapes, {0, 1, 2, 3}, number, {Vector2(0, 0), Vector2(0.6, 2)}, seed);
+    settings.walls = {
+        floorWall(), {"left", Vector2(0, 0), Vector2(1, 0)}, {"right", Vector2(0.6, 0), Vector2(-1, 0)}};
     return settings;
 }
 
