@@ -61,6 +61,15 @@ static void checkControl(const Time& runTime)
 {
     const checkedDictionary control(runTime.controlDict());
     control.positive("deltaT");
+    if (!(runTime.endTime().value() > runTime.value()))
+    {
+        control.fail
+        (
+            "endTime",
+            chesil::numberText(runTime.endTime().value()),
+            "a time after the start at " + chesil::numberText(runTime.value())
+        );
+    }
     if (writesInTime(runTime))
     {
         control.positive("writeInterval");
@@ -119,6 +128,7 @@ static scalar timeStepOf
 
 static int run(Time& runTime)
 {
+    refuseRestart(runTime);
     const autoPtr<IOdictionary> properties = chesilProperties(runTime);
     const caseSettings settings = readCase(properties(), runTime);
     chesil::World world(settings.world);

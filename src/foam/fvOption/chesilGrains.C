@@ -42,6 +42,33 @@ struct planeVelocity
     }
 };
 
+//- Throws unless the field that the entry names (default: its own name) is there
+template<class FieldType>
+void requireField
+(
+    const Foam::fvMesh& mesh,
+    const Foam::dictionary& dict,
+    const Foam::word& entry
+)
+{
+    const Foam::word name = dict.lookupOrDefault<Foam::word>(entry, entry);
+    if (!mesh.foundObject<FieldType>(name))
+    {
+        const Foam::wordList names = mesh.sortedNames<FieldType>();
+        throw chesil::SetupError
+        (
+            "fvOptions",
+            dict.dictName() + "." + entry,
+            "no " + FieldType::typeName + " " + name,
+            "one of: "
+          + chesil::listOfNames
+            (
+                std::vector<std::string>(names.begin(), names.end())
+            )
+        );
+    }
+}
+
 //- Every rank ends with the sum, the same to the bit on each
 void sumOverRanks(chesil::GrainLoads& loads)
 {
@@ -72,6 +99,9 @@ void sumOverRanks(chesil::GrainLoads& loads)
 void Foam::fv::chesilGrains::build()
 {
     const Time& runTime = mesh_.time();
+    requireField<volVectorField>(mesh_, coeffs_, "U");
+    requireField<volScalarField>(mesh_, coeffs_, "nu");
+    refuseRestart(runTime);
     const autoPtr<IOdictionary> properties = chesilProperties(runTime);
     const caseSettings settings = readCase(properties(), runTime);
     const fluidSettings fluid = readFluid(properties());
@@ -250,6 +280,20 @@ void Foam::fv::chesilGrains::addSup(fvMatrix<vector>& eqn, const label)
         diag[cell] -= rate;
         source[cell] -= rate*vector(velocity.x(), velocity.y(), 0);
     }
+}
+
+
+void Foam::fv::chesilGrains::addSup
+(
+    const volScalarField&,
+    fvMatrix<vector>&,
+    const label
+)
+{
+    FatalErrorInFunction
+        << "fvOption " << name_ << ": the solver's momentum equation carries a"
+        << " density; chesilGrains works with incompressible solvers, as"
+        << " pimpleFoam is one" << exit(FatalError);
 }
 
 

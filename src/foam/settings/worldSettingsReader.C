@@ -10,6 +10,7 @@
 #include "shapeSettings.H"
 
 #include "IFstream.H"
+#include "OSspecific.H"
 
 #include "core/world/world.hpp"
 
@@ -162,6 +163,23 @@ Foam::runSettings readRun(const checkedDictionary& entries)
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::refuseRestart(const Time& runTime)
+{
+    if (runTime.value() > 0 && isFile(runTime.globalPath()/"grains.pvd"))
+    {
+        throw chesil::SetupError
+        (
+            "system/controlDict",
+            "startFrom",
+            "a start at " + runTime.timeName()
+          + " s in a case with the grains of an earlier run",
+            "startFrom startTime; startTime 0; since grains cannot be restarted"
+            " yet (or remove grains.pvd to place them anew at this time)"
+        );
+    }
+}
+
 
 Foam::autoPtr<Foam::IOdictionary> Foam::chesilProperties(const Time& runTime)
 {
