@@ -26,6 +26,10 @@ constexpr double joint = 1e-12;
 /// far below any visible dent, far above the rounding of a straight run of points.
 constexpr double convexity = 1e-9;
 
+/// The same for a mesh's cells: a hanging node on a straight side, in a mesh written with 6 digits, leaves up to
+/// 1e-5 rad. The solid fraction then errs by at most that sliver of a cell.
+constexpr double cellConvexity = 1e-4;
+
 /// A boundary whose centroid lies within this share of its size from the origin is taken as centred: the
 /// rounding of the moments' sum over some tens of segments.
 constexpr double centroid = 1e-13;

@@ -1,7 +1,6 @@
 #include "core/geometry/convexity.hpp"
 
 #include "core/base/setupError.hpp"
-#include "core/base/tolerances.hpp"
 
 #include <cmath>
 #include <string>
@@ -19,7 +18,7 @@ std::string atVertex(std::size_t index, const Vector2& vertex)
 
 } // namespace
 
-void requireConvex(const std::vector<Vector2>& vertices)
+void requireConvex(const std::vector<Vector2>& vertices, double allowedTurn)
 {
     const std::string wanted = "a convex outline, counter-clockwise, with finite coordinates";
     std::vector<Vector2> edges;
@@ -49,7 +48,7 @@ void requireConvex(const std::vector<Vector2>& vertices)
         const Vector2& a = edges[i];
         const Vector2& b = edges[(i + 1) % edges.size()];
         const double angle = std::atan2(cross(a, b), a.dot(b));
-        if (angle < -tolerances::convexity)
+        if (angle < -allowedTurn)
         {
             const std::size_t vertex = edgeEnds[i];
             throw ValueError(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/tolerances.hpp"
 #include "core/base/vector.hpp"
 
 #include <vector>
@@ -11,6 +12,7 @@ namespace chesil
 /// skipped. Throws ValueError that says what is wrong and at which vertex: not finite, fewer than three
 /// distinct vertices, clockwise, an inward turn, a turn back on itself (flat, or a spike), or crossing itself
 /// (turning more than once).
-void requireConvex(const std::vector<Vector2>& vertices);
+/// An inward turn of up to `allowedTurn` [rad] passes.
+void requireConvex(const std::vector<Vector2>& vertices, double allowedTurn = tolerances::convexity);
 
 } // namespace chesil

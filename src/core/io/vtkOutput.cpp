@@ -114,14 +114,18 @@ VtkOutput::VtkOutput(std::string caseFolder, const World& world) : caseFolder_(s
 {
     const std::string folder = caseFolder_ + "/grains";
     std::error_code error;
-    std::filesystem::remove_all(folder, error);
-    if (!error)
+    std::filesystem::create_directories(folder, error);
+    // The user may keep other files beside ours.
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     {
-        std::filesystem::create_directories(folder, error);
+        if (entry->path().filename().string().rfind("grains_", 0) == 0 && entry->path().extension() == ".vtp")
+        {
+            std::filesystem::remove(entry->path(), error);
+        }
     }
     if (error)
     {
-        throw SetupError(folder, "(whole folder)", error.message(), "a folder that can be made anew");
+        throw SetupError(folder, "(whole folder)", error.message(), "a folder that can be written to");
     }
     std::vector<Polyline> walls;
     for (const PlaneWall<2>& wall : world.settings().walls)

@@ -15,7 +15,7 @@ namespace chesil
 class VtkOutput
 {
 public:
-    /// Makes the folders and writes the walls.
+    /// Makes the folder, removes the grains_<n>.vtp of an earlier run and writes the walls.
     VtkOutput(std::string caseFolder, const World& world);
 
     /// The state at `time` [s], and the index of all states written so far.

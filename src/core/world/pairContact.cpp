@@ -57,6 +57,10 @@ PairStatus contactOf(
     {
         return PairStatus::notFinite;
     }
+    if (search.status == GjkStatus::iterationLimit)
+    {
+        return PairStatus::undecided;
+    }
     if (search.status != GjkStatus::overlapping)
     {
         direction = search.direction;
@@ -67,7 +71,11 @@ PairStatus contactOf(
     contact.normal = penetration.normal;
     contact.point = poseA.position + penetration.point;
     direction = penetration.normal;
-    return penetration.depth > 0 ? PairStatus::overlapping : PairStatus::separated;
+    if (!(penetration.depth > 0))
+    {
+        return PairStatus::separated;
+    }
+    return penetration.status == EpaStatus::converged ? PairStatus::overlapping : PairStatus::coarse;
 }
 
 } // namespace

@@ -12,6 +12,10 @@ enum class PairStatus
 {
     separated,
     overlapping,
+    /// Overlapping, with a depth that EPA could not bring to its tolerance.
+    coarse,
+    /// GJK did not decide within its limit; counts as separated.
+    undecided,
     /// A pose or shape holds a number that is not finite.
     notFinite,
 };

@@ -21,7 +21,7 @@ double uniform(std::mt19937_64& engine)
 } // namespace
 
 std::vector<GrainState> placeOnLattice(
-    const std::vector<NamedShape>& shapes, const std::vector<int>& choice, int number, const Box& box, std::uint64_t seed)
+    const std::vector<NamedShape>& shapes, const std::vector<int>& choice, int number, const PlacementBox& box, std::uint64_t seed)
 {
     double widest = 0;
     std::string name;

@@ -9,7 +9,7 @@ namespace chesil
 {
 
 /// An upright rectangle in the world's frame [m].
-struct Box
+struct PlacementBox
 {
     Vector2 lower;
     Vector2 upper;
@@ -19,6 +19,6 @@ struct Box
 /// at random (seeded, the same on any machine), the lattice as wide as the widest shape, so that none overlap.
 /// Throws ValueError if the widest shape does not fit into the box, or the box holds fewer places.
 std::vector<GrainState> placeOnLattice(
-    const std::vector<NamedShape>& shapes, const std::vector<int>& choice, int number, const Box& box, std::uint64_t seed);
+    const std::vector<NamedShape>& shapes, const std::vector<int>& choice, int number, const PlacementBox& box, std::uint64_t seed);
 
 } // namespace chesil

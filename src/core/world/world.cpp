@@ -69,13 +69,6 @@ void World::setExternalLoads(const std::vector<Vector2>& forces, const std::vect
     externalTorques_ = torques;
 }
 
-void World::setMotion(std::size_t grain, const Pose<2>& pose, const Vector2& velocity, double angularVelocity)
-{
-    bodies_.pose[grain] = pose;
-    bodies_.velocity[grain] = velocity;
-    bodies_.angularVelocity[grain] = angularVelocity;
-}
-
 double World::sizeOf(std::size_t grain) const
 {
     return 2 * std::sqrt(areaOf(grain) / M_PI);
@@ -217,14 +210,18 @@ void World::resolve(Contact<2>& contact, double timeStep)
     }
 }
 
-bool World::touchesGrain(Contact<2>& contact) const
+bool World::touchesGrain(Contact<2>& contact)
 {
     const auto i = static_cast<std::size_t>(contact.first);
     const auto j = static_cast<std::size_t>(contact.second);
     ContactGeometry<2> geometry;
     const PairStatus status =
         pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, geometry);
-    if (status != PairStatus::overlapping)
+    if (status == PairStatus::undecided || status == PairStatus::coarse)
+    {
+        ++doubtfulQueries_;
+    }
+    if (status != PairStatus::overlapping && status != PairStatus::coarse)
     {
         return false;
     }

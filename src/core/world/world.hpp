@@ -29,8 +29,9 @@ public:
     /// One step of velocity Verlet [s].
     StepStatus step(double timeStep);
 
-    /// Contacts and forces of the state as it is, without moving anything; `step` wants this done once before.
-    void updateForces(double timeStep);
+    /// Contacts and forces of the state as it is, without moving anything or stretching friction's springs. Wanted once
+    /// before the first step, and again whenever loads from outside have changed.
+    void updateForces() { updateForces(0); }
 
     /// Forces [N] and torques [N m] from outside (a fluid, say), held until set again; entry i for grain i.
     void setExternalLoads(const std::vector<Vector2>& forces, const std::vector<double>& torques);
@@ -45,9 +46,6 @@ public:
 
     const WorldSettings& settings() const { return settings_; }
     const Bodies<2>& bodies() const { return bodies_; }
-
-    /// For whoever continues a run: sets the state of motion of one grain.
-    void setMotion(std::size_t grain, const Pose<2>& pose, const Vector2& velocity, double angularVelocity);
 
     /// Near pairs, those in contact with depth > 0, sorted; grains with grains first, then with walls.
     const std::vector<Contact<2>>& contacts() const { return contacts_; }
@@ -67,13 +65,17 @@ public:
 
     std::size_t brokenGrain() const { return brokenGrain_; }
 
+    /// How often since the start a pair query ended without the full answer: see PairStatus.
+    std::size_t doubtfulQueries() const { return doubtfulQueries_; }
+
 private:
+    void updateForces(double timeStep);
     void updateNeighbours();
     void findContacts();
     bool neighboursAreStale() const;
     void applyWeights();
     void resolve(Contact<2>& contact, double timeStep);
-    bool touchesGrain(Contact<2>& contact) const;
+    bool touchesGrain(Contact<2>& contact);
     bool touchesWall(Contact<2>& contact) const;
     void loadBodies(Contact<2>& contact, double timeStep);
     StepStatus checkFinite();
@@ -91,6 +93,7 @@ private:
     std::vector<Contact<2>> contacts_;
     std::vector<Contact<2>> lastContacts_;
     std::size_t brokenGrain_ = 0;
+    std::size_t doubtfulQueries_ = 0;
 };
 
 } // namespace chesil

@@ -37,7 +37,7 @@ void requireConvexCell(int cell, const CellPolygon& polygon)
 {
     try
     {
-        requireConvex(std::vector<Vector2>(polygon.begin(), polygon.end()));
+        requireConvex(std::vector<Vector2>(polygon.begin(), polygon.end()), tolerances::cellConvexity);
     }
     catch (const ValueError& error)
     {

@@ -6,6 +6,7 @@ namespace chesil
 GrainForcing::GrainForcing(const World& world, const CellView& mesh, const PenaltyRate& rate)
 : mesh_(mesh),
   penaltyRate_(rate),
+  grains_(world.bodies().size()),
   fraction_(static_cast<std::size_t>(mesh.size()), 0.0),
   velocity_(static_cast<std::size_t>(mesh.size()), Vector2::Zero()),
   rate_(static_cast<std::size_t>(mesh.size()), 0.0)
@@ -30,6 +31,16 @@ void GrainForcing::updateGeometry(const World& world)
         velocity_[c] /= fraction_[c];
         fraction_[c] /= mesh_.area(cell);
     }
+}
+
+std::vector<double> GrainForcing::coveredAreas() const
+{
+    std::vector<double> areas(grains_, 0.0);
+    for (const Share& share : shares_)
+    {
+        areas[share.grain] += share.area;
+    }
+    return areas;
 }
 
 void GrainForcing::forget()

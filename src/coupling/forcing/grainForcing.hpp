@@ -56,6 +56,9 @@ public:
     /// [1/s].
     double rate(int cell) const { return rate_[static_cast<std::size_t>(cell)]; }
 
+    /// Area of each grain that lies in cells of this mesh [m2].
+    std::vector<double> coveredAreas() const;
+
     /// What the forcing does to the grains: its opposite, over the cells of this mesh, for fluid density
     /// [kg/m3]. Grains in one cell share its force by their areas: each against its own velocity would be a
     /// dashpot between them, as stiff as the rate, and explicit in time. The inertia of the fluid inside the grains is not in it (GrainResponse adds it).
@@ -89,6 +92,7 @@ private:
 
     const CellView& mesh_;
     PenaltyRate penaltyRate_;
+    std::size_t grains_;
     std::vector<Outline> outlines_;
     GrainCells cells_;
     std::vector<Share> shares_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace chesil
 {
@@ -31,7 +32,8 @@ struct DistanceCubic
 
 /// Where the slope vanishes, in rising order, inside (from, to): at most two places. With r = t/(1 - t) the
 /// slope is c r^2 + 2 b r + a; its roots -q/c and -a/q, q = b +- sqrt(b^2 - a c) without cancellation, give
-/// t = q/(q - c) and a/(a - q). A division by zero gives no number, which no comparison accepts.
+/// t = q/(q - c) and a/(a - q). A denominator of zero, a root at infinity, is skipped: flow solvers trap divisions by
+/// zero.
 int extrema(const DistanceCubic& distance, double from, double to, std::array<double, 2>& places)
 {
     const double a = distance.d[1] - distance.d[0];
@@ -44,8 +46,9 @@ int extrema(const DistanceCubic& distance, double from, double to, std::array<do
     }
     const double q = b + std::copysign(std::sqrt(discriminant), b);
     int count = 0;
-    for (const double t : {q / (q - c), a / (a - q)})
+    for (const auto& [numerator, denominator] : {std::pair{q, q - c}, std::pair{a, a - q}})
     {
+        const double t = denominator != 0 ? numerator / denominator : from;
         if (t > from && t < to)
         {
             places[count++] = t;
@@ -79,7 +82,9 @@ double crossing(const DistanceCubic& distance, double low, double high, double d
             return t;
         }
         ((value < 0) == (distanceLow < 0) ? low : high) = t;
-        double next = t - value / distance.slope(t);
+        const double slope = distance.slope(t);
+        const bool newtonStaysNear = std::abs(value) < (high - low) * std::abs(slope);
+        double next = newtonStaysNear ? t - value / slope : low;
         if (!(next > low && next < high))
         {
             next = 0.5 * (low + high);

@@ -54,7 +54,7 @@ StepStatus GrainResponse::advance(const GrainLoads& forcing, double interval)
     const std::vector<double> angularVelocity = bodies.angularVelocity;
     substeps_ = std::isfinite(longestSubstep_) ? static_cast<int>(std::ceil(interval / longestSubstep_)) : 1;
     const double substep = interval / substeps_;
-    world_.updateForces(0);
+    world_.updateForces();
     for (int step = 0; step < substeps_; ++step)
     {
         if (world_.step(substep) != StepStatus::done)

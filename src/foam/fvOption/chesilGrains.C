@@ -9,7 +9,12 @@
 #include "fvMatrices.H"
 #include "fvMesh.H"
 
+#include "readingGuards.H"
+
 #include "core/base/setupError.hpp"
+
+#include <algorithm>
+
 #include "checkedDictionary.H"
 #include "meshCellView.H"
 #include "worldSettingsReader.H"
@@ -69,26 +74,35 @@ void requireField
     }
 }
 
-//- Every rank ends with the sum, the same to the bit on each
-void sumOverRanks(chesil::GrainLoads& loads)
+//- Every rank ends with the sums, the same to the bit on each
+std::vector<double> sumOverRanks(const std::vector<double>& values)
 {
-    Foam::List<Foam::scalar> values(3*Foam::label(loads.force.size()));
-    Foam::label k = 0;
+    Foam::List<Foam::scalar> sums(Foam::label(values.size()));
+    std::copy(values.begin(), values.end(), sums.begin());
+    Foam::Pstream::listCombineGather(sums, Foam::plusEqOp<Foam::scalar>());
+    Foam::Pstream::listCombineScatter(sums);
+    return std::vector<double>(sums.begin(), sums.end());
+}
+
+chesil::GrainLoads sumOverRanks(const chesil::GrainLoads& loads)
+{
+    std::vector<double> values;
     for (std::size_t i = 0; i < loads.force.size(); ++i)
     {
-        values[k++] = loads.force[i].x();
-        values[k++] = loads.force[i].y();
-        values[k++] = loads.torque[i];
+        values.insert
+        (
+            values.end(),
+            {loads.force[i].x(), loads.force[i].y(), loads.torque[i]}
+        );
     }
-    Foam::Pstream::listCombineGather(values, Foam::plusEqOp<Foam::scalar>());
-    Foam::Pstream::listCombineScatter(values);
-    k = 0;
+    values = sumOverRanks(values);
+    chesil::GrainLoads sums(loads.force.size());
     for (std::size_t i = 0; i < loads.force.size(); ++i)
     {
-        loads.force[i].x() = values[k++];
-        loads.force[i].y() = values[k++];
-        loads.torque[i] = values[k++];
+        sums.force[i] = {values[3*i], values[3*i + 1]};
+        sums.torque[i] = values[3*i + 2];
     }
+    return sums;
 }
 
 } // End namespace
@@ -101,11 +115,12 @@ void Foam::fv::chesilGrains::build()
     const Time& runTime = mesh_.time();
     requireField<volVectorField>(mesh_, coeffs_, "U");
     requireField<volScalarField>(mesh_, coeffs_, "nu");
-    refuseRestart(runTime);
     const autoPtr<IOdictionary> properties = chesilProperties(runTime);
     const caseSettings settings = readCase(properties(), runTime);
     const fluidSettings fluid = readFluid(properties());
     fluidDensity_ = fluid.density;
+
+    checkUse(settings.world);
 
     cells_ = cellViewOf(mesh_);
     world_.reset(new chesil::World(settings.world));
@@ -119,17 +134,80 @@ void Foam::fv::chesilGrains::build()
             (*world_, fluidDensity_, settings.run.shareOfStable)
     );
     loads_ = chesil::GrainLoads(world_->bodies().size());
-
-    if (Pstream::master())
-    {
-        pictures_.reset(new chesil::VtkOutput(runTime.globalPath(), *world_));
-        pictures_->write(*world_, runTime.value());
-    }
-    series_.reset(new grainSeries(name_, runTime));
+    outside_.assign(world_->bodies().size(), false);
 
     forcing_->updateGeometry(*world_);
     updateSolidFraction();
     reportResolution();
+}
+
+
+void Foam::fv::chesilGrains::checkUse(const chesil::WorldSettings& world) const
+{
+    if (world.localDamping > 0)
+    {
+        throw chesil::SetupError
+        (
+            "constant/chesilProperties",
+            "damping.local",
+            chesil::numberText(world.localDamping),
+            "none in flow: it would damp the fluid's load, too"
+            " (contact.restitution takes energy from contacts)"
+        );
+    }
+    const word steady("steadyState");
+    const word ddt("ddt(" + fieldNames_.first() + ')');
+    const bool allDriven = std::all_of
+    (
+        world.grains.begin(),
+        world.grains.end(),
+        [](const chesil::GrainState& grain) { return grain.driven; }
+    );
+    if (word(mesh_.ddtScheme(ddt)) == steady && !allDriven)
+    {
+        throw chesil::SetupError
+        (
+            "system/fvSchemes",
+            ddt,
+            steady,
+            "a scheme in time, since grains move (or driven yes for all grains)"
+        );
+    }
+}
+
+
+void Foam::fv::chesilGrains::openOutput()
+{
+    const Time& runTime = mesh_.time();
+    refuseRestart(runTime);
+    if (Pstream::master())
+    {
+        pictures_.reset(new chesil::VtkOutput(runTime.globalPath(), *world_));
+        pictures_->write(*world_, runTime.startTime().value());
+    }
+    series_.reset(new grainSeries(name_, runTime));
+}
+
+
+void Foam::fv::chesilGrains::checkCovered()
+{
+    const std::vector<double> covered = sumOverRanks(forcing_->coveredAreas());
+    for (std::size_t i = 0; i < covered.size(); ++i)
+    {
+        constexpr scalar enough = 0.9;
+        const scalar share = covered[i]/world_->areaOf(i);
+        if (share < enough && !outside_[i])
+        {
+            outside_[i] = true;
+            WarningInFunction
+                << "at time " << mesh_.time().value() << " s the mesh holds "
+                << 100*share << " % of grain " << label(i) << " at ("
+                << world_->bodies().pose[i].position.x() << ' '
+                << world_->bodies().pose[i].position.y()
+                << "): the fluid does not feel the rest. Grains meet the walls of"
+                << " constant/chesilProperties, not the mesh's patches" << endl;
+        }
+    }
 }
 
 
@@ -161,6 +239,8 @@ void Foam::fv::chesilGrains::moveTo
     const volVectorField& U
 )
 {
+    // A number out of range ends the run below, by name, not by a signal
+    const untrappedArithmetic guard;
     writeSeries();
     if (response_->advance(loads_, runTime.deltaTValue()) != chesil::StepStatus::done)
     {
@@ -178,8 +258,10 @@ void Foam::fv::chesilGrains::moveTo
         [&](int cell) { return nu[cell]; }
     );
     updateSolidFraction();
+    checkCovered();
 
-    unwritten_ = runTime.value();
+    unwritten_ = true;
+    timeOfState_ = runTime.value();
     if (pictures_ && runTime.writeTime())
     {
         pictures_->write(*world_, runTime.value());
@@ -200,13 +282,13 @@ void Foam::fv::chesilGrains::updateSolidFraction()
 
 void Foam::fv::chesilGrains::writeSeries()
 {
-    if (unwritten_ >= 0)
+    if (unwritten_)
     {
         series_->write
         (
-            unwritten_, *world_, response_->hydrodynamicLoads(loads_)
+            timeOfState_, *world_, response_->hydrodynamicLoads(loads_)
         );
-        unwritten_ = -1;
+        unwritten_ = false;
     }
 }
 
@@ -263,9 +345,27 @@ Foam::fv::chesilGrains::~chesilGrains()
 void Foam::fv::chesilGrains::addSup(fvMatrix<vector>& eqn, const label)
 {
     const Time& runTime = mesh_.time();
+    if (mesh_.changing())
+    {
+        FatalErrorInFunction
+            << "fvOption " << name_ << ": the mesh moves or changes, and"
+            << " chesilGrains knows it as it was at the start"
+            << exit(FatalError);
+    }
     if (runTime.timeIndex() != timeIndex_)
     {
-        moveTo(runTime, eqn.psi());
+        try
+        {
+            if (!series_)
+            {
+                openOutput();
+            }
+            moveTo(runTime, eqn.psi());
+        }
+        catch (const chesil::SetupError& error)
+        {
+            FatalErrorInFunction << error.what() << exit(FatalError);
+        }
         timeIndex_ = runTime.timeIndex();
     }
 
@@ -299,10 +399,10 @@ void Foam::fv::chesilGrains::addSup
 
 void Foam::fv::chesilGrains::correct(volVectorField& U)
 {
-    loads_ = chesil::GrainLoads(world_->bodies().size());
+    chesil::GrainLoads own(world_->bodies().size());
     forcing_->addLoads
-        (planeVelocity{U.primitiveField()}, fluidDensity_, loads_);
-    sumOverRanks(loads_);
+        (planeVelocity{U.primitiveField()}, fluidDensity_, own);
+    loads_ = sumOverRanks(own);
 }
 
 

@@ -16,7 +16,10 @@ Foam::grainSeries::grainSeries(const word& name, const Time& runTime)
         return;
     }
     const fileName folder
-        (runTime.globalPath()/"postProcessing"/name/runTime.timeName());
+    (
+        runTime.globalPath()/"postProcessing"/name
+       /Time::timeName(runTime.startTime().value())
+    );
     mkDir(folder);
     file_.reset(new OFstream(folder/"grains.dat"));
     file_().precision(12);

@@ -149,6 +149,10 @@ void checkWalls
     constexpr Foam::scalar allowedShare = 0.1;
     for (const GrainState& grain : grains)
     {
+        if (grain.driven)
+        {
+            continue;
+        }
         const chesil::NamedShape& named =
             shapes.shapes[std::size_t(grain.shape)];
         for (const chesil::PlaneWall<2>& wall : walls)

@@ -28,7 +28,7 @@ using Foam::scalar;
 const std::vector<std::string> knownNames
 {
     "gravity", "material", "contact", "damping", "walls", "shapes", "grains",
-    "timeStep", "stopAtRest", "fluid"
+    "timeStep", "stopAtRest", "fluid", "variables"
 };
 
 chesil::LinearLaw readContact(const dictionary& dict)
@@ -84,7 +84,7 @@ void checkOverlaps
 {
     constexpr scalar allowedShare = 0.1;
     chesil::World world(settings);
-    world.updateForces(0);
+    world.updateForces();
     for (const chesil::Contact<2>& contact : world.contacts())
     {
         if (contact.withWall())
@@ -166,7 +166,10 @@ Foam::runSettings readRun(const checkedDictionary& entries)
 
 void Foam::refuseRestart(const Time& runTime)
 {
-    if (runTime.value() > 0 && isFile(runTime.globalPath()/"grains.pvd"))
+    // Asked by one rank, since the master will soon make that file
+    bool found = Pstream::master() && isFile(runTime.globalPath()/"grains.pvd");
+    Pstream::scatter(found);
+    if (found && runTime.startTime().value() > 0)
     {
         throw chesil::SetupError
         (

@@ -41,7 +41,7 @@ inline EnergyErrors runWorld(const WorldSettings& settings, double timeStep, int
 {
     const double start = cpuSeconds();
     World world(settings);
-    world.updateForces(timeStep);
+    world.updateForces();
     const double energyAtStart = totalEnergy(world);
     EnergyErrors errors;
     for (int sample = 0; sample < samples; ++sample)

@@ -203,6 +203,7 @@ TEST(StableTimeStep, holdsForHexagonsOfDisks)
 {
     expectStable(hexagon(1, 0.02), 12);
     expectStable(hexagon(2, 0.02), 42);
+    expectStable(hexagon(3, 0.02), 90);
 }
 
 TEST(StableTimeStep, holdsForADiskAmongSmallerAndLargerOnes)

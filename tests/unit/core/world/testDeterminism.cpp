@@ -11,7 +11,7 @@ std::uint64_t hashAfter(const WorldSettings& settings, int steps)
 {
     World world(settings);
     const double timeStep = 0.5 * world.stableTimeStep();
-    world.updateForces(timeStep);
+    world.updateForces();
     for (int i = 0; i < steps; ++i)
     {
         EXPECT_EQ(world.step(timeStep), StepStatus::done);

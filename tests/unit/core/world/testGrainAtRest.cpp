@@ -44,7 +44,7 @@ Rest restOf(const Shape& shape)
     const double timeStep = 0.5 * world.stableTimeStep();
     const double weight = settings.density * world.areaOf(0) * 9.81;
 
-    world.updateForces(timeStep);
+    world.updateForces();
     int settling = 0;
     // What is left of a rocking egg then moves it by some 1e-12 of its size.
     const double quiet = 1e-26 * weight * world.sizeOf(0);
@@ -112,7 +112,7 @@ TEST(GrainAtRest, aFlatSideRattlesWithinAStepsFall)
     const double timeStep = 0.1 * world.stableTimeStep();
     const double fall = 9.81 * timeStep * timeStep / world.sizeOf(0);
     const double weight = settings.density * world.areaOf(0) * 9.81;
-    world.updateForces(timeStep);
+    world.updateForces();
     constexpr int steps = 200000;
     for (int i = 0; i < steps; ++i)
     {

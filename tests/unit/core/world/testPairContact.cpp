@@ -41,17 +41,19 @@ TEST(PairContact, disksByFormulaAreDisksByGjk)
 
 TEST(PairContact, directionIsHandedOn)
 {
-    const Shape egg = Ellipse(2, 1);
+    const Shape plate = Ellipse(2, 0.2);
     const Pose<2> here{};
     Vector2 direction = Vector2::Zero();
     ContactGeometry<2> contact{};
-    const Pose<2> apart{Vector2(3, 1.9), {}};
-    ASSERT_EQ(pairContact(egg, here, egg, apart, direction, contact), PairStatus::separated);
-    // It separates them: the furthest of A along it is short of the nearest of B.
-    EXPECT_LT(support(egg, direction).dot(direction),
-              (apart.position + support(egg, -direction)).dot(direction));
-    const Pose<2> near{Vector2(2, 1), {}};
-    ASSERT_EQ(pairContact(egg, here, egg, near, direction, contact), PairStatus::overlapping);
+    // Apart, since their sum is the ellipse (4, 0.4); but not along the line of their centres.
+    const Pose<2> apart{Vector2(3, 0.45), {}};
+    const auto reach = [&](const Vector2& along)
+    { return support(plate, along).dot(along) - (apart.position + support(plate, -along)).dot(along); };
+    ASSERT_GT(reach(apart.position), 0);
+    ASSERT_EQ(pairContact(plate, here, plate, apart, direction, contact), PairStatus::separated);
+    EXPECT_LT(reach(direction), 0) << "what is handed back separates them";
+    const Pose<2> near{Vector2(2, 0.2), {}};
+    ASSERT_EQ(pairContact(plate, here, plate, near, direction, contact), PairStatus::overlapping);
     EXPECT_EQ(direction, contact.normal);
 }
 
@@ -96,4 +98,15 @@ TEST(PairContact, concentricDisksHaveAFiniteNormal)
               PairStatus::overlapping);
     EXPECT_EQ(contact.depth, 1.5);
     EXPECT_EQ(contact.normal.norm(), 1);
+}
+
+TEST(PairContact, aDepthThatEpaCannotFinishIsCalledCoarse)
+{
+    // Round and concentric: every direction is as deep, more than the polytope has room for.
+    Vector2 direction = Vector2::Zero();
+    ContactGeometry<2> contact{};
+    const PairStatus status =
+        pairContact(Ellipse(1, 1), Pose<2>{}, Ellipse(0.5, 0.5), Pose<2>{}, direction, contact);
+    ASSERT_EQ(status, PairStatus::coarse);
+    EXPECT_NEAR(contact.depth, 1.5, 1e-15);
 }

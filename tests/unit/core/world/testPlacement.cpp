@@ -10,9 +10,9 @@ using testing::HasSubstr;
 namespace
 {
 
-const Box box{Vector2(-1, 2), Vector2(-0.4, 4)};
+const PlacementBox box{Vector2(-1, 2), Vector2(-0.4, 4)};
 
-std::string refusal(const std::vector<NamedShape>& shapes, int number, const Box& where)
+std::string refusal(const std::vector<NamedShape>& shapes, int number, const PlacementBox& where)
 {
     try
     {

@@ -112,10 +112,10 @@ TEST(GrainForcing, torqueOfAFluidThatTurnsAgainstTheGrain)
 TEST(GrainForcing, grainsThatLeaveACellAreForgotten)
 {
     const CellView mesh = squareMesh(12);
-    World world(disks(1.5, {moving(3, 3, Vector2::Zero())}));
+    World world(disks(1.5, {moving(3, 3, {6, 6})}));
     GrainForcing forcing(world, mesh, PenaltyRate());
     forcing.updateGeometry(world);
-    world.setMotion(0, {Vector2(9, 9), Rotation<2>(0)}, Vector2::Zero(), 0);
+    world.step(1);
     forcing.updateGeometry(world);
     double area = 0;
     for (int cell = 0; cell < mesh.size(); ++cell)
