@@ -106,7 +106,7 @@ TEST_F(TrappedArithmetic, randomGrainsTurnedByQuarters)
     {
         test::RandomGrainOptions options;
         options.straight = i % 3;
-        const PolyBezier grain = test::randomPolyBezier(random, options);
+        const PolyBezier grain = test::randomPolyBezier(options, random);
         const double scale = 1 / grain.boundingRadius();
         std::vector<CubicBezier> segments;
         for (const CubicBezier& segment : grain.segments())
