@@ -216,6 +216,28 @@ TEST(World, farFromTheOriginTheContactsAreAlike)
     EXPECT_GT(touching, 100);
 }
 
+TEST(World, theStableStepKnowsDampingStiffnessAndVirtualMass)
+{
+    WorldSettings settings = freeBall();
+    settings.contact.tangentialStiffness = 0;
+    const double step = World(settings).stableTimeStep();
+    // A disk: 1 + m R^2/I = 3, six contacts.
+    const double mass = 2650 * M_PI * 0.05 * 0.05;
+    EXPECT_NEAR(step * std::sqrt(36 * 1e6 / mass), 2, 1e-12);
+    settings.localDamping = 0.7;
+    EXPECT_NEAR(World(settings).stableTimeStep() * std::sqrt(1.7), step, 1e-12 * step);
+    settings.localDamping = 0;
+    settings.contact.tangentialStiffness = 4e6;
+    EXPECT_NEAR(World(settings).stableTimeStep(), step / 2, 1e-12 * step);
+    settings.contact.tangentialStiffness = 0;
+    settings.contact.dampingRatio = 0.1;
+    EXPECT_LT(World(settings).stableTimeStep(), 0.9 * step);
+    settings.contact.dampingRatio = 0;
+    World wet(settings);
+    wet.immerse(1000, 1);
+    EXPECT_NEAR(wet.stableTimeStep(), step * std::sqrt(3650 / 2650.0), 1e-12 * step);
+}
+
 TEST(World, whatComesFromAfarIsNotMissed)
 {
     // Over many skins of the neighbour list to a resting ball, which flies on to a wall.
