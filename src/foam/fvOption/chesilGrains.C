@@ -9,14 +9,11 @@
 #include "fvMatrices.H"
 #include "fvMesh.H"
 
-#include "readingGuards.H"
-
-#include "core/base/setupError.hpp"
-
-#include <algorithm>
-
+#include "flowChecks.H"
 #include "checkedDictionary.H"
 #include "meshCellView.H"
+#include "rankSums.H"
+#include "readingGuards.H"
 #include "worldSettingsReader.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,64 +44,6 @@ struct planeVelocity
     }
 };
 
-//- Throws unless the field that the entry names (default: its own name) is there
-template<class FieldType>
-void requireField
-(
-    const Foam::fvMesh& mesh,
-    const Foam::dictionary& dict,
-    const Foam::word& entry
-)
-{
-    const Foam::word name = dict.lookupOrDefault<Foam::word>(entry, entry);
-    if (!mesh.foundObject<FieldType>(name))
-    {
-        const Foam::wordList names = mesh.sortedNames<FieldType>();
-        throw chesil::SetupError
-        (
-            "fvOptions",
-            dict.dictName() + "." + entry,
-            "no " + FieldType::typeName + " " + name,
-            "one of: "
-          + chesil::listOfNames
-            (
-                std::vector<std::string>(names.begin(), names.end())
-            )
-        );
-    }
-}
-
-//- Every rank ends with the sums, the same to the bit on each
-std::vector<double> sumOverRanks(const std::vector<double>& values)
-{
-    Foam::List<Foam::scalar> sums(Foam::label(values.size()));
-    std::copy(values.begin(), values.end(), sums.begin());
-    Foam::Pstream::listCombineGather(sums, Foam::plusEqOp<Foam::scalar>());
-    Foam::Pstream::listCombineScatter(sums);
-    return std::vector<double>(sums.begin(), sums.end());
-}
-
-chesil::GrainLoads sumOverRanks(const chesil::GrainLoads& loads)
-{
-    std::vector<double> values;
-    for (std::size_t i = 0; i < loads.force.size(); ++i)
-    {
-        values.insert
-        (
-            values.end(),
-            {loads.force[i].x(), loads.force[i].y(), loads.torque[i]}
-        );
-    }
-    values = sumOverRanks(values);
-    chesil::GrainLoads sums(loads.force.size());
-    for (std::size_t i = 0; i < loads.force.size(); ++i)
-    {
-        sums.force[i] = {values[3*i], values[3*i + 1]};
-        sums.torque[i] = values[3*i + 2];
-    }
-    return sums;
-}
-
 } // End namespace
 
 
@@ -120,7 +59,7 @@ void Foam::fv::chesilGrains::build()
     const fluidSettings fluid = readFluid(properties());
     fluidDensity_ = fluid.density;
 
-    checkUse(settings.world);
+    checkUse(settings.world, mesh_, fieldNames_.first());
 
     cells_ = cellViewOf(mesh_);
     world_.reset(new chesil::World(settings.world));
@@ -139,40 +78,6 @@ void Foam::fv::chesilGrains::build()
     forcing_->updateGeometry(*world_);
     updateSolidFraction();
     reportResolution();
-}
-
-
-void Foam::fv::chesilGrains::checkUse(const chesil::WorldSettings& world) const
-{
-    if (world.localDamping > 0)
-    {
-        throw chesil::SetupError
-        (
-            "constant/chesilProperties",
-            "damping.local",
-            chesil::numberText(world.localDamping),
-            "none in flow: it would damp the fluid's load, too"
-            " (contact.restitution takes energy from contacts)"
-        );
-    }
-    const word steady("steadyState");
-    const word ddt("ddt(" + fieldNames_.first() + ')');
-    const bool allDriven = std::all_of
-    (
-        world.grains.begin(),
-        world.grains.end(),
-        [](const chesil::GrainState& grain) { return grain.driven; }
-    );
-    if (word(mesh_.ddtScheme(ddt)) == steady && !allDriven)
-    {
-        throw chesil::SetupError
-        (
-            "system/fvSchemes",
-            ddt,
-            steady,
-            "a scheme in time, since grains move (or driven yes for all grains)"
-        );
-    }
 }
 
 
