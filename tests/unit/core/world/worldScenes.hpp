@@ -40,6 +40,17 @@ inline WorldSettings quartzSettings()
     return settings;
 }
 
+/// One ball of radius 0.05 m in free space, nothing damped.
+inline WorldSettings freeBall()
+{
+    WorldSettings settings = quartzSettings();
+    settings.gravity = Vector2::Zero();
+    settings.localDamping = 0;
+    settings.shapes = {{"ball", Circle(0.05)}};
+    settings.grains = {GrainState{}};
+    return settings;
+}
+
 inline PlaneWall<2> floorWall() { return {"floor", Vector2(0, 0), Vector2(0, 1)}; }
 
 /// `number` grains of all kinds on a lattice above a box 0.6 m wide.
