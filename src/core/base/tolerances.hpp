@@ -18,6 +18,13 @@ constexpr double expandingPolytope = 1e-12;
 /// depths closer than this, and asking for more makes EPA blow up.
 constexpr double supportRounding = 8 * epsilon;
 
+/// Two unit normals count as one if the sine between them is below this: a few roundings of a turned normal.
+constexpr double sameNormal = 4 * epsilon;
+
+/// A contact's normal belongs to a straight side if the sine between them is below this: the solvers return a side's
+/// own normal but for some roundings, and no real outline has two sides so near to parallel.
+constexpr double normalOfSide = 1e-11;
+
 /// Two unit tangents at a joint may differ by this angle [rad] and still count as the same (G1).
 /// Template files hold 17 digits, so that rounding leaves about 1e-15.
 constexpr double joint = 1e-12;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+
 namespace chesil
 {
 
@@ -21,6 +23,12 @@ inline double cross(const Vector2& a, const Vector2& b)
 inline Vector2 perpendicular(const Vector2& a)
 {
     return Vector2(-a.y(), a.x());
+}
+
+/// a scaled to unit length; a must not be zero. One division, unlike Eigen's normalized().
+inline Vector2 unit(const Vector2& a)
+{
+    return a * (1 / std::sqrt(a.x() * a.x() + a.y() * a.y()));
 }
 
 } // namespace chesil

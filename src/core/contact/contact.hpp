@@ -15,6 +15,9 @@ struct Contact
     std::int32_t first;
     /// Grain, or wall w as -1 - w.
     std::int32_t second;
+    /// Two straight sides touch at both ends of the length they share: 1 for the second end, whose entry
+    /// follows that of the first.
+    std::int32_t place = 0;
     /// Overlap [m]; 0 without contact.
     double depth = 0;
     /// Unit, from first to second, of the last contact; without contact the direction that separated them.
@@ -31,7 +34,7 @@ struct Contact
     bool withWall() const { return second < 0; }
     std::size_t wall() const { return static_cast<std::size_t>(-1 - second); }
 
-    std::tuple<std::int32_t, std::int32_t> key() const { return {first, second}; }
+    std::tuple<std::int32_t, std::int32_t, std::int32_t> key() const { return {first, second, place}; }
 };
 
 } // namespace chesil

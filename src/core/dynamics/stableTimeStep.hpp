@@ -11,8 +11,9 @@ namespace chesil
 ///
 /// Each contact is an element between two grains that each give it 1/Z of their mass m and inertia I, being shared
 /// among Z contacts. The largest eigenvalue of an assembly is bounded by that of its elements (Irons & Treharne
-/// 1971): w^2 <= 2 k max(Z g/m), where g = 1 + m R^2/I and R is the longest arm. Z = 6, the most that grains of one
-/// size have in the plane; a grain with more has a larger mass, too.
+/// 1971): w^2 <= 2 k max(Z g/m), where g = 1 + m R^2/I and R is the longest arm. Z = 6, the most neighbours that grains
+/// of one size have in the plane, times the places of a contact (2 for straight sides); a grain with more has a
+/// larger mass, too.
 ///
 /// Undamped: dt <= 2/w. The dashpots, c = 2 z sqrt(k m12) with the pair's effective mass m12, see the last half
 /// step's velocity, which asks for w^2 dt^2 + 4 x w dt <= 4: dt <= (2/w)(sqrt(1 + x^2) - x). Their share of critical
@@ -22,10 +23,11 @@ namespace chesil
 class StableTimeStep
 {
 public:
-    /// A grain that moves: mass [kg], moment of inertia [kg m2], longest arm of a contact [m].
-    void add(double mass, double inertia, double longestArm)
+    /// A grain that moves: mass [kg], moment of inertia [kg m2], longest arm of a contact [m], places at which it
+    /// touches a neighbour.
+    void add(double mass, double inertia, double longestArm, int places = 1)
     {
-        const double spread = 1 + mass * longestArm * longestArm / inertia;
+        const double spread = places * (1 + mass * longestArm * longestArm / inertia);
         largestSpread_ = std::max(largestSpread_, spread);
         largestMobility_ = std::max(largestMobility_, spread / mass);
     }

@@ -12,12 +12,6 @@ CubicBezier CubicBezier::straight(const Vector2& a, const Vector2& b)
     return CubicBezier({a, a + (b - a) / 3, b - (b - a) / 3, b});
 }
 
-Vector2 CubicBezier::at(double t) const
-{
-    const double s = 1 - t;
-    return s * s * s * points_[0] + 3 * s * t * (s * points_[1] + t * points_[2]) + t * t * t * points_[3];
-}
-
 Vector2 CubicBezier::derivative(double t) const
 {
     const double s = 1 - t;
@@ -58,23 +52,10 @@ Vector2 CubicBezier::endTangent() const
 
 double CubicBezier::supportParameter(const Vector2& direction) const
 {
-    const double rise0 = direction.dot(points_[1] - points_[0]);
-    const double a1 = direction.dot(points_[2] - points_[1]);
-    const double rise2 = direction.dot(points_[3] - points_[2]);
-    if (rise0 <= 0 && rise2 >= 0)
-    {
-        // No root: beyond an end, or along a straight segment's normal.
-        const double rise = rise0 + a1 + rise2;
-        return rise > 0 ? 1.0 : rise < 0 ? 0.0 : 0.5;
-    }
-    const double a0 = std::max(0.0, rise0);
-    const double a2 = std::min(0.0, rise2);
-    const double root = std::sqrt(a1 * a1 - a0 * a2);
-    if (a1 > 0)
-    {
-        return (a1 + root) / (a1 + root - a2);
-    }
-    return a0 > 0 ? a0 / (a0 - a1 + root) : 0.0;
+    return supportParameterOfRises(
+        direction.dot(points_[1] - points_[0]),
+        direction.dot(points_[2] - points_[1]),
+        direction.dot(points_[3] - points_[2]));
 }
 
 double CubicBezier::curvatureRadius(double t) const
@@ -87,6 +68,42 @@ double CubicBezier::curvatureRadius(double t) const
         return std::numeric_limits<double>::infinity();
     }
     return speed * speed * speed / turning;
+}
+
+namespace
+{
+
+/// radius = 1.5 |u|^3/(u x v), where u = s^2 e0 + 2 s t e1 + t^2 e2 and u x v = s^2 e0 x e1 + s t e0 x e2 + t^2 e1 x e2
+/// for the control edges e: bounded by their coefficients.
+double curvatureRadiusBound(const CubicBezier& part)
+{
+    const auto& p = part.controlPoints();
+    const Vector2 chord = p[3] - p[0];
+    const std::array<Vector2, 3> edges{p[1] - p[0], p[2] - p[1], p[3] - p[2]};
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const Vector2& edge : edges)
+    {
+        slowest = std::min(slowest, edge.dot(chord) / chord.norm());
+    }
+    const double bend = std::max({cross(edges[0], edges[1]), cross(edges[0], edges[2]) / 2, cross(edges[1], edges[2])});
+    if (!(slowest > 0))
+    {
+        return 0;
+    }
+    return bend > 0 ? 1.5 * slowest * slowest * slowest / bend : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+double CubicBezier::leastCurvatureRadius() const
+{
+    constexpr int parts = 16;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < parts; ++i)
+    {
+        least = std::min(least, curvatureRadiusBound(part(static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts)));
+    }
+    return least;
 }
 
 std::pair<CubicBezier, CubicBezier> CubicBezier::split(double t) const

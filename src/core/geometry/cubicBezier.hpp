@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace chesil
@@ -42,8 +46,16 @@ public:
     /// division by zero: see doc/supportFunction.md, which derives it from eqs. (5)-(9).
     double supportParameter(const Vector2& direction) const;
 
+    /// The support point along a unit normal within the segment's range of normals, with the radius of curvature
+    /// there; doc/contactKernel.md derives it.
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const;
+
     /// Radius of curvature [m], positive if turning counter-clockwise; infinite where straight.
     double curvatureRadius(double t) const;
+
+    /// Lower bound of the radius of curvature over a segment that turns counter-clockwise by less than 180 degrees;
+    /// within a few per cent of the least one unless the speed vanishes, and 0 then.
+    double leastCurvatureRadius() const;
 
     /// The part from t0 to t1 as a segment of its own.
     CubicBezier part(double t0, double t1) const;
@@ -56,5 +68,53 @@ public:
 private:
     std::array<Vector2, 4> points_{Vector2::Zero(), Vector2::Zero(), Vector2::Zero(), Vector2::Zero()};
 };
+
+inline Vector2 CubicBezier::at(double t) const
+{
+    const double s = 1 - t;
+    return s * s * s * points_[0] + 3 * s * t * (s * points_[1] + t * points_[2]) + t * t * t * points_[3];
+}
+
+/// See doc/supportFunction.md; the rises of the three control edges along the direction.
+inline double supportParameterOfRises(double rise0, double rise1, double rise2)
+{
+    if (rise0 <= 0 && rise2 >= 0)
+    {
+        // No root: beyond an end, or along a straight segment's normal.
+        const double rise = rise0 + rise1 + rise2;
+        return rise > 0 ? 1.0 : rise < 0 ? 0.0 : 0.5;
+    }
+    const double a0 = std::max(0.0, rise0);
+    const double a2 = std::min(0.0, rise2);
+    const double sum = std::sqrt(rise1 * rise1 - a0 * a2) + std::abs(rise1);
+    // The share of t before the middle, of 1 - t behind it: without a branch, which random directions mispredict.
+    const double late = rise1 > 0 ? 1 : 0;
+    const double near = late * -a2 + (1 - late) * a0;
+    const double whole = near + sum;
+    return whole > 0 ? std::abs(late - near / whole) : 0.0;
+}
+
+inline CurvedPoint<2> CubicBezier::curvedSupport(const Vector2& normal) const
+{
+    // In coordinates, since this is the hottest line of all: Eigen's temporaries cost a third.
+    const double nx = normal.x();
+    const double ny = normal.y();
+    const double x0 = points_[1].x() - points_[0].x(), y0 = points_[1].y() - points_[0].y();
+    const double x1 = points_[2].x() - points_[1].x(), y1 = points_[2].y() - points_[1].y();
+    const double x2 = points_[3].x() - points_[2].x(), y2 = points_[3].y() - points_[2].y();
+    const double rise0 = nx * x0 + ny * y0;
+    const double rise1 = nx * x1 + ny * y1;
+    const double rise2 = nx * x2 + ny * y2;
+    const double t = supportParameterOfRises(rise0, rise1, rise2);
+    const double s = 1 - t;
+    const double ss = s * s, st = 2 * s * t, tt = t * t;
+    const double speed = ss * (nx * y0 - ny * x0) + st * (nx * y1 - ny * x1) + tt * (nx * y2 - ny * x2);
+    const double bend = s * (rise0 - rise1) + t * (rise1 - rise2);
+    const double radius = speed == 0 ? 0 : bend > 0 ? 1.5 * speed * speed / bend : std::numeric_limits<double>::infinity();
+    const double w0 = ss * s, w1 = 1.5 * st * s, w2 = 1.5 * st * t, w3 = tt * t;
+    const double x = (w0 * points_[0].x() + w1 * points_[1].x()) + (w2 * points_[2].x() + w3 * points_[3].x());
+    const double y = (w0 * points_[0].y() + w1 * points_[1].y()) + (w2 * points_[2].y() + w3 * points_[3].y());
+    return {Vector2(x, y), radius};
+}
 
 } // namespace chesil

@@ -1,7 +1,11 @@
 #pragma once
 
 #include "core/base/pose.hpp"
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
+#include "core/narrowphase/queryCost.hpp"
+
+#include <algorithm>
 
 namespace chesil
 {
@@ -14,24 +18,54 @@ struct SupportVertex
     Vector<Dim> onA;
 };
 
-/// The set A - B of two placed convex shapes through its support points: all that GJK and EPA know of
-/// them. A shape offers support(direction) in its own frame and boundingRadius(). Coordinates are relative
-/// to A's centroid, so that a scene far from the origin loses no digits.
-template <int Dim, class ShapeA, class ShapeB>
-class MinkowskiDifference
+/// The same with the radii of curvature of A's and B's outlines there [m]; their sum is that of A - B.
+template <int Dim>
+struct CurvedVertex
+{
+    Vector<Dim> difference;
+    Vector<Dim> onA;
+    double radiusA;
+    double radiusB;
+
+    double radius() const { return radiusA + radiusB; }
+};
+
+/// A straight side of A - B: its outward unit normal and both ends, the clockwise one first. World axes [m].
+struct DifferenceSide
+{
+    Vector2 normal;
+    CurvedVertex<2> start;
+    CurvedVertex<2> end;
+};
+
+/// The set A - B of two placed convex shapes through its support points: all that the solvers know of
+/// them. What the shapes offer: core/base/supportContract.hpp. Coordinates are relative to A's centroid, so that a
+/// scene far from the origin loses no digits. The set holds the origin where the shapes overlap.
+template <int Dim, class ShapeA, class ShapeB, class Cost = NoCost>
+class MinkowskiDifference : private Cost
 {
 public:
-    MinkowskiDifference(const ShapeA& a, const Pose<Dim>& poseA, const ShapeB& b, const Pose<Dim>& poseB)
-    : a_(a), b_(b), rotationA_(poseA.rotation), rotationB_(poseB.rotation), centreToCentre_(poseB.position - poseA.position)
+    static constexpr bool offersCurvature = OffersCurvature<ShapeA>::value && OffersCurvature<ShapeB>::value;
+
+    MinkowskiDifference(const ShapeA& a, const Pose<Dim>& poseA, const ShapeB& b, const Pose<Dim>& poseB, Cost counter = {})
+    : Cost(counter), a_(a), b_(b), rotationA_(poseA.rotation), rotationB_(poseB.rotation), centreToCentre_(poseB.position - poseA.position)
     {
     }
 
     /// Point of A - B furthest along `direction` (any length but zero).
     SupportVertex<Dim> support(const Vector<Dim>& direction) const
     {
+        Cost::countSupport();
         const Vector<Dim> onA = rotationA_.apply(a_.support(rotationA_.applyInverse(direction)));
         const Vector<Dim> onB = rotationB_.apply(b_.support(rotationB_.applyInverse(-direction)));
         return {onA - onB - centreToCentre_, onA};
+    }
+
+    /// The same along a unit normal, with curvature.
+    CurvedVertex<Dim> curvedSupport(const Vector<Dim>& normal) const
+    {
+        Cost::countSupport();
+        return joined(curvedOnA(normal), curvedOnB(normal));
     }
 
     /// From A's centroid to B's [m].
@@ -40,12 +74,142 @@ public:
     /// Sum of both bounding radii [m]: what tolerances are relative to.
     double size() const { return a_.boundingRadius() + b_.boundingRadius(); }
 
+    /// Lower bound of the radius of curvature of the set's whole boundary [m].
+    double leastRadius() const { return a_.leastRadius() + b_.leastRadius(); }
+
+    /// A disk of this radius [m] about -centreToCentre() lies in the set.
+    double innerRadius() const { return a_.innerRadius() + b_.innerRadius(); }
+
+    /// The stretch of the set's boundary around a unit normal on which both shapes' bounds hold; world axes.
+    OutlineStretch stretchAt(const Vector2& normal) const
+    {
+        const OutlineStretch a = turned(a_.stretchAt(rotationA_.applyInverse(normal)), rotationA_, 1);
+        const OutlineStretch b = turned(b_.stretchAt(rotationB_.applyInverse(-normal)), rotationB_, -1);
+        const double radius = a.leastRadius + b.leastRadius;
+        if (a.whole || b.whole)
+        {
+            const OutlineStretch& narrow = a.whole ? b : a;
+            return {radius, narrow.whole, narrow.firstNormal, narrow.lastNormal};
+        }
+        return {
+            radius,
+            false,
+            cross(a.firstNormal, b.firstNormal) > 0 ? b.firstNormal : a.firstNormal,
+            cross(a.lastNormal, b.lastNormal) > 0 ? a.lastNormal : b.lastNormal};
+    }
+
+    /// A straight side of the set between two normals (as a shape's straightSideBetween), made of a side of one shape
+    /// and a point of the other: the one nearer to `from`. False if there is none.
+    bool straightSideBetween(const Vector2& from, const Vector2& to, DifferenceSide& side) const
+    {
+        const StraightSide* ofA = nullptr;
+        const StraightSide* ofB = nullptr;
+        if constexpr (ShapeA::mayHaveStraightSides)
+        {
+            ofA = a_.hasStraightSides()
+                ? a_.straightSideBetween(rotationA_.applyInverse(from), rotationA_.applyInverse(to))
+                : nullptr;
+        }
+        if constexpr (ShapeB::mayHaveStraightSides)
+        {
+            ofB = b_.hasStraightSides()
+                ? b_.straightSideBetween(rotationB_.applyInverse(-from), rotationB_.applyInverse(-to))
+                : nullptr;
+        }
+        if (ofA && ofB)
+        {
+            const double turnA = std::abs(cross(from, rotationA_.apply(ofA->normal)));
+            const double turnB = std::abs(cross(from, rotationB_.apply(ofB->normal)));
+            (turnA <= turnB ? ofB : ofA) = nullptr;
+        }
+        if (!ofA && !ofB)
+        {
+            return false;
+        }
+        Cost::countSupport();
+        if (ofA)
+        {
+            side.normal = rotationA_.apply(ofA->normal);
+            const CurvedPoint<2> onB = curvedOnB(side.normal);
+            side.start = joined({rotationA_.apply(ofA->start), 0}, onB);
+            side.end = joined({rotationA_.apply(ofA->end), 0}, onB);
+        }
+        else
+        {
+            side.normal = -rotationB_.apply(ofB->normal);
+            const CurvedPoint<2> onA = curvedOnA(side.normal);
+            side.start = joined(onA, {rotationB_.apply(ofB->start), 0});
+            side.end = joined(onA, {rotationB_.apply(ofB->end), 0});
+        }
+        return true;
+    }
+
+    static constexpr bool mayHaveStraightSides()
+    {
+        if constexpr (offersCurvature)
+        {
+            return ShapeA::mayHaveStraightSides || ShapeB::mayHaveStraightSides;
+        }
+        return false;
+    }
+
+    void countFallBack() const { Cost::countFallBack(); }
+
 private:
+    CurvedPoint<Dim> curvedOnA(const Vector<Dim>& normal) const
+    {
+        const CurvedPoint<Dim> local = a_.curvedSupport(rotationA_.applyInverse(normal));
+        return {rotationA_.apply(local.point), local.radius};
+    }
+
+    CurvedPoint<Dim> curvedOnB(const Vector<Dim>& normal) const
+    {
+        const CurvedPoint<Dim> local = b_.curvedSupport(rotationB_.applyInverse(-normal));
+        return {rotationB_.apply(local.point), local.radius};
+    }
+
+    CurvedVertex<Dim> joined(const CurvedPoint<Dim>& onA, const CurvedPoint<Dim>& onB) const
+    {
+        return {onA.point - onB.point - centreToCentre_, onA.point, onA.radius, onB.radius};
+    }
+
+    static OutlineStretch turned(const OutlineStretch& stretch, const Rotation<2>& rotation, double sign)
+    {
+        return {
+            stretch.leastRadius,
+            stretch.whole,
+            sign * rotation.apply(stretch.firstNormal),
+            sign * rotation.apply(stretch.lastNormal)};
+    }
+
     const ShapeA& a_;
     const ShapeB& b_;
     const Rotation<Dim>& rotationA_;
     const Rotation<Dim>& rotationB_;
     Vector<Dim> centreToCentre_;
+};
+
+/// A - B less a disk (ball) of radius `radius` [m] all round: what its support points become if each is drawn in along
+/// the search direction. Convex as long as the radius is at most leastRadius(). Every depth shrinks by the radius.
+template <int Dim, class Difference>
+class ErodedDifference
+{
+public:
+    ErodedDifference(const Difference& difference, double radius) : difference_(difference), radius_(radius) {}
+
+    SupportVertex<Dim> support(const Vector<Dim>& direction) const
+    {
+        SupportVertex<Dim> vertex = difference_.support(direction);
+        vertex.difference -= radius_ / direction.norm() * direction;
+        return vertex;
+    }
+
+    const Vector<Dim>& centreToCentre() const { return difference_.centreToCentre(); }
+    double size() const { return difference_.size(); }
+
+private:
+    const Difference& difference_;
+    double radius_;
 };
 
 } // namespace chesil

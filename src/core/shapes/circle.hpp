@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
 #include "core/geometry/outline.hpp"
 #include "core/shapes/massProperties.hpp"
@@ -25,6 +26,12 @@ public:
     }
 
     double boundingRadius() const { return radius_; }
+
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const { return {radius_ * normal, radius_}; }
+    OutlineStretch stretchAt(const Vector2& normal) const { return {radius_, true, normal, normal}; }
+    double leastRadius() const { return radius_; }
+    double innerRadius() const { return radius_; }
+    static constexpr bool mayHaveStraightSides = false;
 
     MassProperties massProperties() const;
     Outline outline() const;

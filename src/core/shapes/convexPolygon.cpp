@@ -1,10 +1,12 @@
 #include "core/shapes/convexPolygon.hpp"
 
 #include "core/base/setupError.hpp"
+#include "core/base/tolerances.hpp"
 #include "core/geometry/convexity.hpp"
 #include "core/shapes/centring.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace chesil
 {
@@ -49,14 +51,53 @@ ConvexPolygon::ConvexPolygon(const std::vector<Vector2>& vertices)
         boundingRadius_ = std::max(boundingRadius_, edge.start().norm());
     }
 
+    innerRadius_ = boundingRadius_;
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+    {
+        const Vector2& end = vertices_[(i + 1) % vertices_.size()];
+        sides_.push_back({-perpendicular(end - vertices_[i]).normalized(), vertices_[i], end});
+        innerRadius_ = std::min(innerRadius_, sides_.back().normal.dot(vertices_[i]));
+    }
+
     // Vertex i is the support point from the normal of the edge before it to that of the edge after it.
     std::vector<Vector2> starts;
     for (std::size_t i = 0; i < vertices_.size(); ++i)
     {
-        const Vector2& before = vertices_[(i + vertices_.size() - 1) % vertices_.size()];
-        starts.push_back(-perpendicular(vertices_[i] - before));
+        starts.push_back(sides_[(i + vertices_.size() - 1) % vertices_.size()].normal);
     }
     normals_ = NormalTable(starts);
+}
+
+const StraightSide* ConvexPolygon::straightSideFacing(const Vector2& normal) const
+{
+    const std::size_t vertex = supportVertex(normal);
+    const StraightSide& before = sides_[vertex == 0 ? sides_.size() - 1 : vertex - 1];
+    const StraightSide& after = sides_[vertex];
+    return before.normal.dot(normal) > after.normal.dot(normal) ? &before : &after;
+}
+
+OutlineStretch ConvexPolygon::stretchAt(const Vector2& normal) const
+{
+    const std::size_t vertex = normals_.find(normal);
+    return {0, false, sides_[vertex == 0 ? sides_.size() - 1 : vertex - 1].normal, sides_[vertex].normal};
+}
+
+const StraightSide* ConvexPolygon::straightSideBetween(const Vector2& from, const Vector2& to) const
+{
+    const bool counterClockwise = cross(from, to) > 0;
+    const std::size_t size = sides_.size();
+    std::size_t first = normals_.find(counterClockwise ? from : to);
+    std::size_t count = normals_.find(counterClockwise ? to : from) + size - first;
+    count = count >= size ? count - size : count;
+    if (count == 0)
+    {
+        return nullptr;
+    }
+    first += count / 2;
+    const StraightSide& side = sides_[first >= size ? first - size : first];
+    const bool apart = std::abs(cross(from, side.normal)) > tolerances::sameNormal
+        && std::abs(cross(to, side.normal)) > tolerances::sameNormal;
+    return apart ? &side : nullptr;
 }
 
 Outline ConvexPolygon::outline() const

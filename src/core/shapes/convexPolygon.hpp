@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
 #include "core/geometry/outline.hpp"
 #include "core/shapes/massProperties.hpp"
@@ -25,9 +26,23 @@ public:
     /// The centroid in the frame of the vertices given to the constructor [m].
     const Vector2& givenCentroid() const { return givenCentroid_; }
 
-    Vector2 support(const Vector2& direction) const { return vertices_[normals_.find(direction)]; }
+    /// The vertex furthest along `direction`.
+    std::size_t supportVertex(const Vector2& direction) const { return normals_.find(direction); }
+    Vector2 support(const Vector2& direction) const { return vertices_[supportVertex(direction)]; }
 
     double boundingRadius() const { return boundingRadius_; }
+
+    /// Side i from vertex i on.
+    const std::vector<StraightSide>& sides() const { return sides_; }
+
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const { return {support(normal), 0}; }
+    OutlineStretch stretchAt(const Vector2& normal) const;
+    double leastRadius() const { return 0; }
+    double innerRadius() const { return innerRadius_; }
+    static constexpr bool mayHaveStraightSides = true;
+    static constexpr bool hasStraightSides() { return true; }
+    const StraightSide* straightSideFacing(const Vector2& normal) const;
+    const StraightSide* straightSideBetween(const Vector2& from, const Vector2& to) const;
 
     MassProperties massProperties() const { return mass_; }
     Outline outline() const;
@@ -35,7 +50,9 @@ public:
 private:
     std::vector<Vector2> vertices_;
     Vector2 givenCentroid_ = Vector2::Zero();
+    std::vector<StraightSide> sides_;
     NormalTable normals_;
+    double innerRadius_ = 0;
     double boundingRadius_ = 0;
     MassProperties mass_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
 #include "core/geometry/outline.hpp"
 #include "core/shapes/massProperties.hpp"
@@ -28,6 +29,20 @@ public:
     }
 
     double boundingRadius() const { return a_ > b_ ? a_ : b_; }
+
+    /// The radius of curvature is (a b)^2/(a^2 nx^2 + b^2 ny^2)^(3/2).
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const
+    {
+        const Vector2 stretched(a_ * normal.x(), b_ * normal.y());
+        const double inverse = 1 / stretched.norm();
+        const double share = a_ * b_ * inverse;
+        return {Vector2(a_ * (stretched.x() * inverse), b_ * (stretched.y() * inverse)), share * share * inverse};
+    }
+
+    OutlineStretch stretchAt(const Vector2& normal) const;
+    double leastRadius() const { return a_ < b_ ? a_ * (a_ / b_) : b_ * (b_ / a_); }
+    double innerRadius() const { return a_ < b_ ? a_ : b_; }
+    static constexpr bool mayHaveStraightSides = false;
 
     MassProperties massProperties() const;
     Outline outline() const;

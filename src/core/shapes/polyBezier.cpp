@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chesil
 {
@@ -70,21 +71,57 @@ std::vector<Vector2> controlPolygon(const std::vector<CubicBezier>& segments)
     return vertices;
 }
 
+/// Parts that leave the curve by the square of their length only, for the bounds below.
+std::vector<CubicBezier> partsOf(const CubicBezier& segment)
+{
+    constexpr int count = 16;
+    std::vector<CubicBezier> parts;
+    for (int i = 0; i < count; ++i)
+    {
+        parts.push_back(segment.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+    }
+    return parts;
+}
+
 /// A bound on the distance of the segment from the origin, since the broad phase trusts it: the furthest control
-/// point of its parts, which leave the curve by the square of their length only.
+/// point of its parts.
 double furthestPoint(const CubicBezier& segment)
 {
-    constexpr int parts = 16;
     double furthest = 0;
-    for (int i = 0; i < parts; ++i)
+    for (const CubicBezier& part : partsOf(segment))
     {
-        const CubicBezier part = segment.part(static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
         for (const Vector2& point : part.controlPoints())
         {
             furthest = std::max(furthest, point.norm());
         }
     }
     return furthest;
+}
+
+/// How near the chords of the segment's parts, all inside the grain, come to the origin.
+double nearestChord(const CubicBezier& segment)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const CubicBezier& part : partsOf(segment))
+    {
+        const Vector2 chord = part.end() - part.start();
+        if (chord != Vector2::Zero())
+        {
+            nearest = std::min(nearest, cross(part.start(), chord) / chord.norm());
+        }
+    }
+    return std::max(0.0, nearest);
+}
+
+Vector2 outwardNormal(const Vector2& tangent)
+{
+    return -perpendicular(tangent).normalized();
+}
+
+bool isStraight(const OutlineStretch& stretch)
+{
+    return cross(stretch.firstNormal, stretch.lastNormal) <= tolerances::sameNormal
+        && stretch.firstNormal.dot(stretch.lastNormal) > 0;
 }
 
 } // namespace
@@ -104,13 +141,63 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
     givenCentroid_ = boundary.givenCentroid;
     mass_ = boundary.mass;
 
+    leastRadius_ = innerRadius_ = std::numeric_limits<double>::infinity();
     std::vector<Vector2> starts;
-    for (const CubicBezier& segment : segments_)
+    for (std::size_t i = 0; i < segments_.size(); ++i)
     {
-        starts.push_back(-perpendicular(segment.startTangent()));
+        const CubicBezier& segment = segments_[i];
         boundingRadius_ = std::max(boundingRadius_, furthestPoint(segment));
+        innerRadius_ = std::min(innerRadius_, nearestChord(segment));
+
+        const OutlineStretch stretch{segment.leastCurvatureRadius(), false, outwardNormal(segment.startTangent()),
+                                     outwardNormal(segment.endTangent())};
+        curves_.push_back(segment);
+        stretches_.push_back(stretch);
+        if (isStraight(stretch))
+        {
+            straightSides_.push_back({outwardNormal(segment.end() - segment.start()), segment.start(), segment.end()});
+        }
+        const Vector2 nextNormal = outwardNormal(segments_[(i + 1) % segments_.size()].startTangent());
+        if (cross(stretch.lastNormal, nextNormal) > tolerances::joint)
+        {
+            const Vector2& corner = segment.end();
+            curves_.push_back(CubicBezier({corner, corner, corner, corner}));
+            stretches_.push_back({0, false, stretch.lastNormal, nextNormal});
+        }
+    }
+    for (const OutlineStretch& stretch : stretches_)
+    {
+        starts.push_back(stretch.firstNormal);
+        leastRadius_ = std::min(leastRadius_, stretch.leastRadius);
     }
     normals_ = NormalTable(starts);
+}
+
+const StraightSide* PolyBezier::straightSideFacing(const Vector2& normal) const
+{
+    const StraightSide* facing = nullptr;
+    for (const StraightSide& side : straightSides_)
+    {
+        if (!facing || side.normal.dot(normal) > facing->normal.dot(normal))
+        {
+            facing = &side;
+        }
+    }
+    return facing;
+}
+
+const StraightSide* PolyBezier::straightSideBetween(const Vector2& from, const Vector2& to) const
+{
+    const double sense = cross(from, to) > 0 ? 1 : -1;
+    for (const StraightSide& side : straightSides_)
+    {
+        if (sense * cross(from, side.normal) > tolerances::sameNormal
+            && sense * cross(side.normal, to) > tolerances::sameNormal)
+        {
+            return &side;
+        }
+    }
+    return nullptr;
 }
 
 double PolyBezier::largestJointAngle() const

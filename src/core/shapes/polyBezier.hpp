@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
 #include "core/geometry/cubicBezier.hpp"
 #include "core/geometry/outline.hpp"
@@ -37,11 +38,20 @@ public:
 
     Vector2 support(const Vector2& direction) const
     {
-        const CubicBezier& segment = segments_[normals_.find(direction)];
-        return segment.at(segment.supportParameter(direction));
+        const CubicBezier& curve = curves_[normals_.find(direction)];
+        return curve.at(curve.supportParameter(direction));
     }
 
     double boundingRadius() const { return boundingRadius_; }
+
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const { return curves_[normals_.find(normal)].curvedSupport(normal); }
+    OutlineStretch stretchAt(const Vector2& normal) const { return stretches_[normals_.find(normal)]; }
+    double leastRadius() const { return leastRadius_; }
+    double innerRadius() const { return innerRadius_; }
+    static constexpr bool mayHaveStraightSides = true;
+    bool hasStraightSides() const { return !straightSides_.empty(); }
+    const StraightSide* straightSideFacing(const Vector2& normal) const;
+    const StraightSide* straightSideBetween(const Vector2& from, const Vector2& to) const;
 
     MassProperties massProperties() const { return mass_; }
     Outline outline() const { return Outline(segments_.begin(), segments_.end()); }
@@ -49,7 +59,13 @@ public:
 private:
     std::vector<CubicBezier> segments_;
     Vector2 givenCentroid_ = Vector2::Zero();
+    /// The segments and, as curves of no length, the corners between them, and their stretches.
+    std::vector<CubicBezier> curves_;
+    std::vector<OutlineStretch> stretches_;
+    std::vector<StraightSide> straightSides_;
     NormalTable normals_;
+    double leastRadius_ = 0;
+    double innerRadius_ = 0;
     double boundingRadius_ = 0;
     MassProperties mass_;
 };

@@ -1,7 +1,7 @@
 #include "core/world/pairContact.hpp"
 
-#include "core/narrowphase/epa.hpp"
-#include "core/narrowphase/gjk.hpp"
+#include "core/narrowphase/firstNormal.hpp"
+#include "core/narrowphase/separatingAxes.hpp"
 
 #include <cmath>
 
@@ -11,8 +11,88 @@ namespace chesil
 namespace
 {
 
+VertexLoop loopOf(const ConvexPolygon& polygon)
+{
+    return {polygon.sides().data(), polygon.sides().size(), 0};
+}
+
+VertexLoop loopOf(const Circle& circle)
+{
+    static const StraightSide centre{Vector2::UnitX(), Vector2::Zero(), Vector2::Zero()};
+    return {&centre, 1, circle.radius()};
+}
+
+template <class ShapeType>
+constexpr bool isLoop = std::is_same_v<ShapeType, Circle> || std::is_same_v<ShapeType, ConvexPolygon>;
+
+/// Pairs with a formula, relative to A's centroid. `difference` is of bounding circles that overlap.
+template <class ShapeA, class ShapeB, class Difference>
+Penetration<2> search(
+    const ShapeA& a, const Pose<2>& poseA, const ShapeB& b, const Pose<2>& poseB, const Difference& difference, const Vector2& direction)
+{
+    const Vector2& centreToCentre = difference.centreToCentre();
+    if constexpr (isLoop<ShapeA> && isLoop<ShapeB>)
+    {
+        const VertexLoop loopA = loopOf(a);
+        const VertexLoop loopB = loopOf(b);
+        if (std::max(loopA.size, loopB.size) <= mostAxes)
+        {
+            // Last step's direction most often still separates what it separated then.
+            if (direction != Vector2::Zero())
+            {
+                const double reach = direction.dot(difference.support(direction).difference);
+                if (reach < 0)
+                {
+                    return {PairStatus::separated, direction, reach, Vector2::Zero()};
+                }
+            }
+            return SeparatingAxes(loopA, poseA, loopB, poseB).contact();
+        }
+    }
+    if constexpr (Difference::offersCurvature)
+    {
+        return penetration(difference, firstNormal<2>(direction, centreToCentre));
+    }
+    else
+    {
+        return penetrationByExpansion<2>(difference, firstNormal<2>(direction, centreToCentre));
+    }
+}
+
+template <class ShapeA, class ShapeB, class Cost>
 PairStatus contactOf(
-    const Circle& a, const Pose<2>& poseA, const Circle& b, const Pose<2>& poseB, Vector2&, ContactGeometry<2>& contact)
+    const ShapeA& a,
+    const Pose<2>& poseA,
+    const ShapeB& b,
+    const Pose<2>& poseB,
+    Vector2& direction,
+    ContactGeometry<2>& contact,
+    Cost cost)
+{
+    const MinkowskiDifference<2, ShapeA, ShapeB, Cost> difference(a, poseA, b, poseB, cost);
+    const double squaredDistance = difference.centreToCentre().squaredNorm();
+    if (!(squaredDistance <= difference.size() * difference.size()))
+    {
+        return std::isfinite(squaredDistance) ? PairStatus::separated : PairStatus::notFinite;
+    }
+    const Penetration<2> found = search(a, poseA, b, poseB, difference, direction);
+    if (found.status == PairStatus::notFinite || found.status == PairStatus::undecided)
+    {
+        return found.status;
+    }
+    direction = found.normal;
+    if (found.status != PairStatus::separated)
+    {
+        contact.depth = found.depth;
+        contact.normal = found.normal;
+        contact.point = poseA.position + found.point;
+    }
+    return found.status;
+}
+
+template <class Cost>
+PairStatus contactOf(
+    const Circle& a, const Pose<2>& poseA, const Circle& b, const Pose<2>& poseB, Vector2&, ContactGeometry<2>& contact, Cost)
 {
     const Vector2 offset = poseB.position - poseA.position;
     const double distance = offset.norm();
@@ -31,51 +111,21 @@ PairStatus contactOf(
     return PairStatus::overlapping;
 }
 
-template <class ShapeA, class ShapeB>
-PairStatus contactOf(
-    const ShapeA& a,
+template <class Cost>
+PairStatus visited(
+    const Shape& a,
     const Pose<2>& poseA,
-    const ShapeB& b,
+    const Shape& b,
     const Pose<2>& poseB,
     Vector2& direction,
-    ContactGeometry<2>& contact)
+    ContactGeometry<2>& contact,
+    Cost cost)
 {
-    const MinkowskiDifference<2, ShapeA, ShapeB> difference(a, poseA, b, poseB);
-    const double size = difference.size();
-    const double squaredDistance = difference.centreToCentre().squaredNorm();
-    if (!(squaredDistance <= size * size))
-    {
-        return std::isfinite(squaredDistance) ? PairStatus::separated : PairStatus::notFinite;
-    }
-    if (direction == Vector2::Zero())
-    {
-        direction = difference.centreToCentre() == Vector2::Zero() ? Vector2(Vector2::UnitX()) : difference.centreToCentre();
-    }
-
-    const GjkResult<2> search = gjk<2>(difference, direction);
-    if (search.status == GjkStatus::notFinite)
-    {
-        return PairStatus::notFinite;
-    }
-    if (search.status == GjkStatus::iterationLimit)
-    {
-        return PairStatus::undecided;
-    }
-    if (search.status != GjkStatus::overlapping)
-    {
-        direction = search.direction;
-        return PairStatus::separated;
-    }
-    const EpaResult<2> penetration = epa<2>(difference, search.simplex);
-    contact.depth = penetration.depth;
-    contact.normal = penetration.normal;
-    contact.point = poseA.position + penetration.point;
-    direction = penetration.normal;
-    if (!(penetration.depth > 0))
-    {
-        return PairStatus::separated;
-    }
-    return penetration.status == EpaStatus::converged ? PairStatus::overlapping : PairStatus::coarse;
+    return std::visit(
+        [&](const auto& shapeA, const auto& shapeB)
+        { return contactOf(shapeA, poseA, shapeB, poseB, direction, contact, cost); },
+        a,
+        b);
 }
 
 } // namespace
@@ -88,8 +138,19 @@ PairStatus pairContact(
     Vector2& direction,
     ContactGeometry<2>& contact)
 {
-    return std::visit(
-        [&](const auto& shapeA, const auto& shapeB) { return contactOf(shapeA, poseA, shapeB, poseB, direction, contact); }, a, b);
+    return visited(a, poseA, b, poseB, direction, contact, NoCost{});
+}
+
+PairStatus pairContact(
+    const Shape& a,
+    const Pose<2>& poseA,
+    const Shape& b,
+    const Pose<2>& poseB,
+    Vector2& direction,
+    ContactGeometry<2>& contact,
+    QueryCost& cost)
+{
+    return visited(a, poseA, b, poseB, direction, contact, CostCounter{&cost});
 }
 
 } // namespace chesil

@@ -3,7 +3,9 @@
 #include "core/dynamics/localDamping.hpp"
 #include "core/dynamics/stableTimeStep.hpp"
 #include "core/dynamics/velocityVerlet.hpp"
+#include "core/world/flatContact.hpp"
 #include "core/world/pairContact.hpp"
+#include "core/world/wallContact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,7 @@ World::World(WorldSettings settings) : settings_(std::move(settings))
     for (const NamedShape& named : settings_.shapes)
     {
         masses_.push_back(massProperties(named.shape));
+        straightSided_.push_back(hasStraightSides(named.shape));
     }
     double smallest = std::numeric_limits<double>::infinity();
     for (const GrainState& grain : settings_.grains)
@@ -82,7 +85,8 @@ double World::stableTimeStep() const
     {
         if (bodies_.inverseMass[i] > 0)
         {
-            step.add(1 / bodies_.inverseMass[i], 1 / bodies_.inverseInertia[i], bodies_.boundingRadius[i]);
+            const int places = isStraightSided(i) ? 2 : 1;
+            step.add(1 / bodies_.inverseMass[i], 1 / bodies_.inverseInertia[i], bodies_.boundingRadius[i], places);
         }
     }
     return step.of(stiffness, settings_.contact.dampingRatio, settings_.localDamping);
@@ -101,9 +105,9 @@ void World::updateForces(double timeStep)
 {
     updateNeighbours();
     applyWeights();
-    for (Contact<2>& contact : contacts_)
+    for (std::size_t i = 0; i < contacts_.size(); i += placesOf(i))
     {
-        resolve(contact, timeStep);
+        resolve(i, timeStep);
     }
     if (settings_.localDamping > 0)
     {
@@ -140,13 +144,28 @@ void World::updateNeighbours()
     }
 }
 
+void World::addPair(std::int32_t first, std::int32_t second, bool flat)
+{
+    contacts_.push_back({first, second});
+    if (flat)
+    {
+        contacts_.push_back({first, second, 1});
+    }
+}
+
+std::size_t World::placesOf(std::size_t contact) const
+{
+    return contact + 1 < contacts_.size() && contacts_[contact + 1].place == 1 ? 2 : 1;
+}
+
 void World::findContacts()
 {
     std::swap(contacts_, lastContacts_);
     contacts_.clear();
     for (const auto& [first, second] : search_.find(positionsAtSearch_, bodies_.boundingRadius, skin_))
     {
-        contacts_.push_back({first, second});
+        const bool flat = isStraightSided(static_cast<std::size_t>(first)) && isStraightSided(static_cast<std::size_t>(second));
+        addPair(first, second, flat);
     }
     const auto firstWallContact = contacts_.size();
     for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -155,7 +174,7 @@ void World::findContacts()
         {
             if (settings_.walls[w].distance(positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + skin_)
             {
-                contacts_.push_back({static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w)});
+                addPair(static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w), isStraightSided(i));
             }
         }
     }
@@ -196,60 +215,93 @@ void World::applyWeights()
     }
 }
 
-void World::resolve(Contact<2>& contact, double timeStep)
+void World::resolve(std::size_t index, double timeStep)
 {
-    if (contact.withWall() ? touchesWall(contact) : touchesGrain(contact))
+    Contact<2>& contact = contacts_[index];
+    Contact<2>* second = placesOf(index) == 2 ? &contacts_[index + 1] : nullptr;
+    ContactGeometry<2> found;
+    if (!(contact.withWall() ? touchesWall(contact, found) : touchesGrain(contact, found)))
     {
-        loadBodies(contact, timeStep);
+        release(contact);
+        if (second)
+        {
+            release(*second);
+        }
+        return;
     }
-    else
+    contact.normal = found.normal;
+    std::array<ContactGeometry<2>, 2> places;
+    if (second && areFlat(contact, found, places))
     {
-        contact.depth = 0;
-        contact.spring = Vector2::Zero();
-        contact.force = Vector2::Zero();
+        // The one corner of a tilted side is the same contact, whichever end of the other shape it is.
+        if (contact.depth > 0 && !(second->depth > 0) && !(places[0].depth > 0))
+        {
+            std::swap(contact.spring, second->spring);
+        }
+        else if (second->depth > 0 && !(contact.depth > 0) && !(places[1].depth > 0))
+        {
+            std::swap(contact.spring, second->spring);
+        }
+        load(contact, places[0], timeStep);
+        load(*second, places[1], timeStep);
+        return;
+    }
+    load(contact, found, timeStep);
+    if (second)
+    {
+        release(*second);
     }
 }
 
-bool World::touchesGrain(Contact<2>& contact)
+void World::load(Contact<2>& contact, const ContactGeometry<2>& geometry, double timeStep)
 {
-    const auto i = static_cast<std::size_t>(contact.first);
-    const auto j = static_cast<std::size_t>(contact.second);
-    ContactGeometry<2> geometry;
-    const PairStatus status =
-        pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, geometry);
-    if (status == PairStatus::undecided || status == PairStatus::coarse)
+    if (!(geometry.depth > 0))
     {
-        ++doubtfulQueries_;
-    }
-    if (status != PairStatus::overlapping && status != PairStatus::coarse)
-    {
-        return false;
+        release(contact);
+        return;
     }
     contact.depth = geometry.depth;
     contact.normal = geometry.normal;
     contact.point = geometry.point;
-    return true;
+    loadBodies(contact, timeStep);
 }
 
-bool World::touchesWall(Contact<2>& contact) const
+void World::release(Contact<2>& contact)
+{
+    contact.depth = 0;
+    contact.spring = Vector2::Zero();
+    contact.force = Vector2::Zero();
+}
+
+bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const
+{
+    const auto i = static_cast<std::size_t>(contact.first);
+    if (contact.withWall())
+    {
+        return flatContact(shapeOf(i), bodies_.pose[i], settings_.walls[contact.wall()], found, places);
+    }
+    const auto j = static_cast<std::size_t>(contact.second);
+    return flatContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], found, places);
+}
+
+bool World::touchesGrain(Contact<2>& contact, ContactGeometry<2>& found)
+{
+    const auto i = static_cast<std::size_t>(contact.first);
+    const auto j = static_cast<std::size_t>(contact.second);
+    const PairStatus status = pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, found);
+    if (status == PairStatus::undecided || status == PairStatus::coarse)
+    {
+        ++doubtfulQueries_;
+    }
+    return status == PairStatus::overlapping || status == PairStatus::coarse;
+}
+
+bool World::touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const
 {
     const auto i = static_cast<std::size_t>(contact.first);
     const PlaneWall<2>& wall = settings_.walls[contact.wall()];
     const Pose<2>& pose = bodies_.pose[i];
-    if (wall.distance(pose.position) > bodies_.boundingRadius[i])
-    {
-        return false;
-    }
-    const Vector2 foot = std::visit([&](const auto& shape) { return footPoint(shape, pose, wall); }, shapeOf(i));
-    const double depth = -wall.distance(foot);
-    if (!(depth > 0))
-    {
-        return false;
-    }
-    contact.depth = depth;
-    contact.normal = -wall.normal;
-    contact.point = foot + depth / 2 * wall.normal;
-    return true;
+    return wall.distance(pose.position) <= bodies_.boundingRadius[i] && wallContact(shapeOf(i), pose, wall, found);
 }
 
 void World::loadBodies(Contact<2>& contact, double timeStep)

@@ -2,9 +2,11 @@
 
 #include "core/broadphase/neighbourList.hpp"
 #include "core/contact/contact.hpp"
+#include "core/contact/contactGeometry.hpp"
 #include "core/dynamics/bodies.hpp"
 #include "core/world/worldSettings.hpp"
 
+#include <array>
 #include <vector>
 
 namespace chesil
@@ -47,7 +49,8 @@ public:
     const WorldSettings& settings() const { return settings_; }
     const Bodies<2>& bodies() const { return bodies_; }
 
-    /// Near pairs, those in contact with depth > 0, sorted; grains with grains first, then with walls.
+    /// Near pairs, those in contact with depth > 0, sorted; grains with grains first, then with walls. A pair of shapes
+    /// with straight sides has two entries, for both ends of a flat contact.
     const std::vector<Contact<2>>& contacts() const { return contacts_; }
 
     const Shape& shapeOf(std::size_t grain) const
@@ -74,14 +77,21 @@ private:
     void findContacts();
     bool neighboursAreStale() const;
     void applyWeights();
-    void resolve(Contact<2>& contact, double timeStep);
-    bool touchesGrain(Contact<2>& contact);
-    bool touchesWall(Contact<2>& contact) const;
+    void addPair(std::int32_t first, std::int32_t second, bool flat);
+    std::size_t placesOf(std::size_t contact) const;
+    bool isStraightSided(std::size_t grain) const { return straightSided_[static_cast<std::size_t>(bodies_.shape[grain])]; }
+    void resolve(std::size_t index, double timeStep);
+    bool touchesGrain(Contact<2>& contact, ContactGeometry<2>& found);
+    bool touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const;
+    bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
+    void load(Contact<2>& contact, const ContactGeometry<2>& geometry, double timeStep);
+    static void release(Contact<2>& contact);
     void loadBodies(Contact<2>& contact, double timeStep);
     StepStatus checkFinite();
 
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
+    std::vector<bool> straightSided_;
     Bodies<2> bodies_;
     std::vector<Vector2> weights_;
     std::vector<Vector2> externalForces_;

@@ -100,13 +100,13 @@ TEST(PairContact, concentricDisksHaveAFiniteNormal)
     EXPECT_EQ(contact.normal.norm(), 1);
 }
 
-TEST(PairContact, aDepthThatEpaCannotFinishIsCalledCoarse)
+TEST(PairContact, roundAndConcentricIsExact)
 {
-    // Round and concentric: every direction is as deep, more than the polytope has room for.
+    // Every direction is as deep: EPA alone would fill its polytope.
     Vector2 direction = Vector2::Zero();
     ContactGeometry<2> contact{};
     const PairStatus status =
         pairContact(Ellipse(1, 1), Pose<2>{}, Ellipse(0.5, 0.5), Pose<2>{}, direction, contact);
-    ASSERT_EQ(status, PairStatus::coarse);
+    ASSERT_EQ(status, PairStatus::overlapping);
     EXPECT_NEAR(contact.depth, 1.5, 1e-15);
 }

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/base/vector.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace chesil
+{
+
+/// The straight side that another shape presses into: a point on it, its outward unit normal, and how far it reaches
+/// from the point along perpendicular(normal) [m].
+struct ReferenceSide
+{
+    Vector2 point;
+    Vector2 normal;
+    double from;
+    double to;
+};
+
+/// One end of a flat contact.
+struct FlatPlace
+{
+    /// Overlap there [m]; not positive if this end hangs free.
+    double depth;
+    /// On the other shape's side [m].
+    Vector2 point;
+};
+
+/// Both ends of the contact of a reference side with a straight side of another shape (from `start` to `end`) whose
+/// deepest point is `deepest`; in the order of perpendicular(reference.normal). The ends of the shared length
+/// are corners of one shape or the other: the depth at each is a smooth function of the poses, so that
+/// springs there conserve energy. Where the deepest point lies beyond an end of its side (a rounded corner), it
+/// stands in for that end.
+inline std::array<FlatPlace, 2> flatPlaces(
+    const ReferenceSide& reference, const Vector2& start, const Vector2& end, const Vector2& deepest)
+{
+    const Vector2 along = perpendicular(reference.normal);
+    const auto coordinate = [&](const Vector2& p) { return (p - reference.point).dot(along); };
+    const auto depth = [&](const Vector2& p) { return (reference.point - p).dot(reference.normal); };
+
+    // The side runs counter-clockwise in its own shape, against the reference.
+    Vector2 low = end;
+    Vector2 high = start;
+    const bool nearLow = (deepest - low).squaredNorm() <= (deepest - high).squaredNorm();
+    (nearLow ? low : high) = deepest;
+
+    const double x0 = coordinate(low);
+    const double x1 = coordinate(high);
+    const double d0 = depth(low);
+    const double d1 = depth(high);
+    const auto cutAt = [&](double x) -> FlatPlace
+    {
+        const double share = x1 > x0 ? std::min(1.0, std::max(0.0, (x - x0) / (x1 - x0))) : 0.0;
+        return {d0 + share * (d1 - d0), low + share * (high - low)};
+    };
+    const double first = std::max(x0, reference.from);
+    const double last = std::min(x1, reference.to);
+    if (!(first < last))
+    {
+        // Nothing shared but a point.
+        const FlatPlace whole{depth(deepest), deepest};
+        const FlatPlace none{0, deepest};
+        return nearLow ? std::array<FlatPlace, 2>{whole, none} : std::array<FlatPlace, 2>{none, whole};
+    }
+    return {cutAt(first), cutAt(last)};
+}
+
+} // namespace chesil

@@ -1,0 +1,118 @@
+#pragma once
+
+#include "core/narrowphase/deepestValley.hpp"
+#include "core/narrowphase/epa.hpp"
+#include "core/narrowphase/gjk.hpp"
+
+namespace chesil
+{
+
+/// How a search for the contact of two shapes ended.
+enum class PairStatus
+{
+    separated,
+    overlapping,
+    /// Overlapping, with a depth that EPA could not bring to its tolerance.
+    coarse,
+    /// GJK did not decide within its limit; counts as separated.
+    undecided,
+    /// A pose or shape holds a number that is not finite.
+    notFinite,
+};
+
+/// Overlap of two shapes, or the direction that separates them. World axes, relative to A's centroid [m].
+template <int Dim>
+struct Penetration
+{
+    PairStatus status;
+    /// Unit, from A to B: of the contact if they overlap, separating them if not.
+    Vector<Dim> normal;
+    /// How far B must move along the normal to leave A.
+    double depth;
+    /// Middle of the overlap along the normal.
+    Vector<Dim> point;
+};
+
+/// GJK and EPA alone: the reference, and what shapes without curvature get.
+template <int Dim, class Difference>
+Penetration<Dim> penetrationByExpansion(const Difference& difference, const Vector<Dim>& direction)
+{
+    const GjkResult<Dim> search = gjk<Dim>(difference, direction);
+    switch (search.status)
+    {
+    case GjkStatus::notFinite:
+        return {PairStatus::notFinite, direction, 0, Vector<Dim>::Zero()};
+    case GjkStatus::iterationLimit:
+        return {PairStatus::undecided, direction, 0, Vector<Dim>::Zero()};
+    case GjkStatus::separated:
+    case GjkStatus::touching:
+        return {PairStatus::separated, search.direction, 0, Vector<Dim>::Zero()};
+    case GjkStatus::overlapping:
+        break;
+    }
+    const EpaResult<Dim> expansion = epa<Dim>(difference, search.simplex);
+    const bool overlap = expansion.depth > 0;
+    const bool converged = expansion.status == EpaStatus::converged;
+    const PairStatus status = !overlap ? PairStatus::separated : converged ? PairStatus::overlapping : PairStatus::coarse;
+    return {status, expansion.normal, expansion.depth, expansion.point};
+}
+
+inline Penetration<2> penetrationIn(const Valley& valley)
+{
+    const PairStatus status = valley.height > 0 ? PairStatus::overlapping : PairStatus::separated;
+    return {status, valley.normal, valley.height, valley.onA - valley.height / 2 * valley.normal};
+}
+
+/// Contact of two shapes by the nearest valley from `normal` (unit), which last step's normal makes one or two support
+/// calls. A direction that separates them ends the search. What the valley cannot prove is left to GJK and EPA on
+/// the difference less its smallest circle of curvature, which tells directions apart that a round pair
+/// makes alike, and finished in the valley that they find.
+template <class Difference>
+Penetration<2> penetration(const Difference& difference, const Vector2& normal)
+{
+    ValleySearch<Difference> search(difference);
+    const Valley valley = search.from(normal, SeparatedPairs::stop);
+    if (valley.status == ValleyStatus::separated)
+    {
+        return {PairStatus::separated, valley.normal, valley.height, valley.onA};
+    }
+    if (valley.status == ValleyStatus::notFinite)
+    {
+        return {PairStatus::notFinite, normal, 0, Vector2::Zero()};
+    }
+    const bool found = valley.status == ValleyStatus::found;
+    if (found && (valley.height <= 0 || isDeepest(difference, valley)))
+    {
+        return penetrationIn(valley);
+    }
+
+    difference.countFallBack();
+    const double core = difference.leastRadius();
+    const ErodedDifference<2, Difference> eroded(difference, core);
+    const Penetration<2> expanded = penetrationByExpansion<2>(eroded, valley.normal);
+    if (expanded.status == PairStatus::notFinite || expanded.status == PairStatus::undecided)
+    {
+        return expanded;
+    }
+    if (expanded.status == PairStatus::separated)
+    {
+        // The cores touch: the depth is the core's radius but for rounding, in any direction that shows it.
+        if (expanded.normal == Vector2::Zero())
+        {
+            return penetrationIn(valley);
+        }
+        ValleySearch<Difference> apart(difference);
+        const Valley touching = apart.from(unit(expanded.normal), SeparatedPairs::stop);
+        return penetrationIn(touching.height < valley.height ? touching : valley);
+    }
+    ValleySearch<Difference> finish(difference);
+    const Valley finished = finish.from(expanded.normal, SeparatedPairs::stop);
+    const double expandedDepth = expanded.depth + core;
+    if (finished.status == ValleyStatus::found && finished.height <= expandedDepth + tolerances::supportRounding * difference.size())
+    {
+        return penetrationIn(finished);
+    }
+    return {expanded.status, expanded.normal, expandedDepth, expanded.point - core / 2 * expanded.normal};
+}
+
+} // namespace chesil

@@ -1,0 +1,234 @@
+#pragma once
+
+#include "core/base/tolerances.hpp"
+#include "core/narrowphase/minkowskiDifference.hpp"
+
+#include <cmath>
+
+namespace chesil
+{
+
+/// How the search for a valley ended.
+enum class ValleyStatus
+{
+    /// A local minimum of the height.
+    found,
+    /// On the way a direction was met that separates the shapes.
+    separated,
+    /// No valley within the limit of rounds.
+    roundLimit,
+    /// A support point is not a number.
+    notFinite,
+};
+
+/// Whether a direction that separates the shapes is all one wants to know.
+enum class SeparatedPairs
+{
+    stop,
+    goOn,
+};
+
+/// A local minimum of the height h(n) = max over p in A - B of n.p, over unit normals n. World axes, relative to A's
+/// centroid [m].
+struct Valley
+{
+    ValleyStatus status;
+    Vector2 normal;
+    /// h(normal): the penetration depth; negative for the distance of separated shapes.
+    double height;
+    /// Deepest point of A in B, or nearest to B.
+    Vector2 onA;
+    /// The boundary of A - B at this normal: both ends of a straight side, the same point twice elsewhere.
+    Vector2 start;
+    Vector2 end;
+    bool onStraightSide;
+};
+
+/// Walks from a first guess down the height of A - B to its nearest local minimum. Newton's step takes the boundary
+/// for its circle of curvature; where the minimum is fenced in between two normals, the chord of their support
+/// points (EPA's step) is the safeguard; straight sides are tried as such. doc/contactKernel.md derives it.
+template <class Difference>
+class ValleySearch
+{
+public:
+    explicit ValleySearch(const Difference& difference)
+    : difference_(difference), floor_(tolerances::supportRounding * difference.size())
+    {
+    }
+
+    /// `normal` is where to start, of unit length.
+    [[gnu::flatten]] Valley from(Vector2 normal, SeparatedPairs separatedPairs)
+    {
+        CurvedVertex<2> vertex = difference_.curvedSupport(normal);
+        double previousTurn = 0;
+        for (int round = 0; round < mostRounds; ++round)
+        {
+            const double height = normal.dot(vertex.difference);
+            const double slope = cross(normal, vertex.difference);
+            if (!std::isfinite(height + slope))
+            {
+                return ended(ValleyStatus::notFinite, normal, height, vertex);
+            }
+            if (height < 0 && separatedPairs == SeparatedPairs::stop)
+            {
+                return ended(ValleyStatus::separated, normal, height, vertex);
+            }
+
+            const double bend = vertex.radius() - height;
+            const bool curved = bend > 0 && std::isfinite(bend);
+            const double turn = curved ? slope / bend : 0;
+            const double gain = slope * turn / 2;
+            // After two Newton steps in a row their ratio tells how wrong the circle of curvature can be.
+            const double ratio = previousTurn != 0 ? turn / previousTurn : 1;
+            if (curved && gain * std::min(1.0, 4 * ratio * ratio) <= floor_)
+            {
+                return atCircle(normal, vertex, height, slope);
+            }
+            if (slope == 0)
+            {
+                // Stationary: the bottom, or (the boundary bends more than a circle about the origin) a ridge.
+                return ended(bend >= 0 ? ValleyStatus::found : ValleyStatus::roundLimit, normal, height, vertex);
+            }
+
+            (slope < 0 ? clockwise_ : counterClockwise_) = {normal, vertex, true};
+            Vector2 next = curved ? unit(vertex.radius() * normal - vertex.difference)
+                                  : turnedDownhill(normal, slope);
+            bool newton = curved;
+            bool chord = false;
+            if (clockwise_.known && counterClockwise_.known
+                && (!newton || !isFencedIn(next) || (previousTurn != 0 && std::abs(turn) > std::abs(previousTurn))))
+            {
+                next = chordNormal();
+                if (!isFencedIn(next))
+                {
+                    return atChord(next);
+                }
+                newton = false;
+                chord = true;
+            }
+            previousTurn = newton ? turn : 0;
+
+            if constexpr (Difference::mayHaveStraightSides())
+            {
+                DifferenceSide side;
+                if (difference_.straightSideBetween(normal, next, side))
+                {
+                    const double atStart = cross(side.normal, side.start.difference);
+                    const double atEnd = cross(side.normal, side.end.difference);
+                    if (atStart <= 0 && atEnd >= 0)
+                    {
+                        return atSide(side, atStart, atEnd, separatedPairs);
+                    }
+                    normal = side.normal;
+                    vertex = atStart > 0 ? side.start : side.end;
+                    previousTurn = 0;
+                    continue;
+                }
+            }
+
+            normal = next;
+            vertex = difference_.curvedSupport(normal);
+            if (chord)
+            {
+                const double beyondChord = normal.dot(vertex.difference) - normal.dot(clockwise_.vertex.difference);
+                if (beyondChord <= floor_)
+                {
+                    return atChord(normal);
+                }
+            }
+        }
+        return ended(ValleyStatus::roundLimit, normal, normal.dot(vertex.difference), vertex);
+    }
+
+private:
+    /// Newton takes about four from a bad guess; the chord's step, of third order in bad cases, some more.
+    static constexpr int mostRounds = 40;
+
+    /// A normal on one side of the minimum, and its support point.
+    struct Fence
+    {
+        Vector2 normal;
+        CurvedVertex<2> vertex;
+        bool known = false;
+    };
+
+    static Valley ended(ValleyStatus status, const Vector2& normal, double height, const CurvedVertex<2>& vertex)
+    {
+        return {status, normal, height, vertex.onA, vertex.difference, vertex.difference, false};
+    }
+
+    /// Newton's last step: the normal turns to the bottom of the circle of curvature, A's point along with it.
+    static Valley atCircle(const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope)
+    {
+        const Vector2 fromCentre = vertex.radius() * normal - vertex.difference;
+        const double distance = fromCentre.norm();
+        const double bend = vertex.radius() - height;
+        const Vector2 bottom = (1 / distance) * fromCentre;
+        const double lowest = height - slope * slope / (distance + bend);
+        const Vector2 onA = vertex.onA + vertex.radiusA * (bottom - normal);
+        const Vector2 onDifference = lowest * bottom;
+        return {ValleyStatus::found, bottom, lowest, onA, onDifference, onDifference, false};
+    }
+
+    static Valley atSide(const DifferenceSide& side, double atStart, double atEnd, SeparatedPairs separatedPairs)
+    {
+        const double height = side.normal.dot(side.start.difference);
+        const double length = atEnd - atStart;
+        const double share = length > 0 ? -atStart / length : 0.5;
+        const Vector2 onA = side.start.onA + share * (side.end.onA - side.start.onA);
+        const bool separated = height < 0 && separatedPairs == SeparatedPairs::stop;
+        return {
+            separated ? ValleyStatus::separated : ValleyStatus::found,
+            side.normal,
+            height,
+            onA,
+            side.start.difference,
+            side.end.difference,
+            true};
+    }
+
+    /// The minimum lies between the two fences, and their chord is a side of A - B but for rounding.
+    Valley atChord(const Vector2& normal) const
+    {
+        const CurvedVertex<2>& first = clockwise_.vertex;
+        const CurvedVertex<2>& last = counterClockwise_.vertex;
+        const Vector2 chord = last.difference - first.difference;
+        const double squaredLength = chord.squaredNorm();
+        if (!(squaredLength > floor_ * floor_))
+        {
+            // Too short for a normal of its own: both fences are as deep, but for rounding.
+            return ended(ValleyStatus::found, clockwise_.normal, clockwise_.normal.dot(first.difference), first);
+        }
+        const double share = std::min(1.0, std::max(0.0, -first.difference.dot(chord) / squaredLength));
+        const double height = std::max(normal.dot(first.difference), normal.dot(last.difference));
+        const Vector2 onA = first.onA + share * (last.onA - first.onA);
+        return {ValleyStatus::found, normal, height, onA, first.difference, last.difference, true};
+    }
+
+    /// Outward normal of the chord from fence to fence; zero if that has no length.
+    Vector2 chordNormal() const
+    {
+        const Vector2 chord = counterClockwise_.vertex.difference - clockwise_.vertex.difference;
+        const double length = chord.norm();
+        return length > 0 ? Vector2(-perpendicular(chord) / length) : Vector2(Vector2::Zero());
+    }
+
+    bool isFencedIn(const Vector2& normal) const
+    {
+        return cross(clockwise_.normal, normal) > tolerances::sameNormal
+            && cross(normal, counterClockwise_.normal) > tolerances::sameNormal;
+    }
+
+    /// By 27 degrees: where the boundary bends too little for Newton's step.
+    static Vector2 turnedDownhill(const Vector2& normal, double slope)
+    {
+        return unit(normal + (slope < 0 ? 0.5 : -0.5) * perpendicular(normal));
+    }
+
+    const Difference& difference_;
+    double floor_;
+    Fence clockwise_;
+    Fence counterClockwise_;
+};
+
+} // namespace chesil

@@ -1,0 +1,112 @@
+#include "core/world/flatContact.hpp"
+
+#include "core/base/tolerances.hpp"
+#include "core/narrowphase/flatPlaces.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace chesil
+{
+
+namespace
+{
+
+/// Null for shapes that have none.
+const StraightSide* sideFacing(const Shape& shape, const Vector2& normal)
+{
+    return std::visit(
+        [&](const auto& actual) -> const StraightSide*
+        {
+            if constexpr (OffersCurvature<std::decay_t<decltype(actual)>>::value)
+            {
+                if constexpr (std::decay_t<decltype(actual)>::mayHaveStraightSides)
+                {
+                    return actual.straightSideFacing(normal);
+                }
+            }
+            return nullptr;
+        },
+        shape);
+}
+
+/// `outward` is the reference's normal: the contact's, or its opposite if `flipped`. Places are found relative to
+/// `origin` [m].
+void fill(
+    const std::array<FlatPlace, 2>& found, const Vector2& normal, const Vector2& outward, bool flipped, const Vector2& origin,
+    std::array<ContactGeometry<2>, 2>& places)
+{
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        const FlatPlace& place = found[flipped ? 1 - i : i];
+        places[i] = {place.depth, normal, origin + (place.point + place.depth / 2 * outward)};
+    }
+}
+
+} // namespace
+
+bool hasStraightSides(const Shape& shape)
+{
+    return sideFacing(shape, Vector2::UnitX()) != nullptr;
+}
+
+bool flatContact(
+    const Shape& a,
+    const Pose<2>& poseA,
+    const Shape& b,
+    const Pose<2>& poseB,
+    const ContactGeometry<2>& contact,
+    std::array<ContactGeometry<2>, 2>& places)
+{
+    const StraightSide* sideA = sideFacing(a, poseA.rotation.applyInverse(contact.normal));
+    const StraightSide* sideB = sideFacing(b, poseB.rotation.applyInverse(-contact.normal));
+    if (!sideA || !sideB)
+    {
+        return false;
+    }
+    const Vector2 normalA = poseA.rotation.apply(sideA->normal);
+    const Vector2 normalB = poseB.rotation.apply(sideB->normal);
+    const double offA = std::abs(cross(normalA, contact.normal));
+    const double offB = std::abs(cross(normalB, contact.normal));
+    if (std::min(offA, offB) > tolerances::normalOfSide)
+    {
+        return false;
+    }
+    const bool ofA = offA <= offB;
+    const StraightSide& reference = ofA ? *sideA : *sideB;
+    const StraightSide& incident = ofA ? *sideB : *sideA;
+    const Vector2& outward = ofA ? normalA : normalB;
+    // Relative to the reference's centroid, so that a scene far from the origin loses no digits.
+    const Pose<2>& pose = ofA ? poseA : poseB;
+    const Pose<2>& incidentPose = ofA ? poseB : poseA;
+    const Pose<2> offset{incidentPose.position - pose.position, incidentPose.rotation};
+    const Vector2 deepest = offset.toWorld(support(ofA ? b : a, offset.rotation.applyInverse(-outward)));
+    const ReferenceSide side{pose.rotation.apply(reference.start), outward, 0, (reference.end - reference.start).norm()};
+    fill(
+        flatPlaces(side, offset.toWorld(incident.start), offset.toWorld(incident.end), deepest), contact.normal, outward, !ofA,
+        pose.position, places);
+    return true;
+}
+
+bool flatContact(
+    const Shape& shape,
+    const Pose<2>& pose,
+    const PlaneWall<2>& wall,
+    const ContactGeometry<2>& contact,
+    std::array<ContactGeometry<2>, 2>& places)
+{
+    const StraightSide* facing = sideFacing(shape, pose.rotation.applyInverse(contact.normal));
+    if (!facing)
+    {
+        return false;
+    }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Vector2 deepest = contact.point - contact.depth / 2 * wall.normal;
+    const ReferenceSide side{contact.point + contact.depth / 2 * wall.normal, wall.normal, -infinity, infinity};
+    fill(
+        flatPlaces(side, pose.toWorld(facing->start), pose.toWorld(facing->end), deepest), contact.normal, wall.normal, true,
+        Vector2::Zero(), places);
+    return true;
+}
+
+} // namespace chesil

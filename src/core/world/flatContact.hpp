@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/boundary/planeWall.hpp"
+#include "core/contact/contactGeometry.hpp"
+#include "core/shapes/shape.hpp"
+
+#include <array>
+
+namespace chesil
+{
+
+/// Whether a shape may touch at two places: it has straight sides.
+bool hasStraightSides(const Shape& shape);
+
+/// The two places of a contact that pairContact has found, if two straight sides touch; else false. In the order of
+/// perpendicular(contact.normal); an end that hangs free has a depth <= 0. doc/contactKernel.md, "Flat contacts".
+bool flatContact(
+    const Shape& a,
+    const Pose<2>& poseA,
+    const Shape& b,
+    const Pose<2>& poseB,
+    const ContactGeometry<2>& contact,
+    std::array<ContactGeometry<2>, 2>& places);
+
+/// The same for a grain and a wall that wallContact has found to overlap.
+bool flatContact(
+    const Shape& shape,
+    const Pose<2>& pose,
+    const PlaneWall<2>& wall,
+    const ContactGeometry<2>& contact,
+    std::array<ContactGeometry<2>, 2>& places);
+
+} // namespace chesil

@@ -1,0 +1,20 @@
+#include "core/world/wallContact.hpp"
+
+namespace chesil
+{
+
+bool wallContact(const Shape& shape, const Pose<2>& pose, const PlaneWall<2>& wall, ContactGeometry<2>& contact)
+{
+    const Vector2 foot = std::visit([&](const auto& actual) { return footPoint(actual, pose, wall); }, shape);
+    const double depth = -wall.distance(foot);
+    if (!(depth > 0))
+    {
+        return false;
+    }
+    contact.depth = depth;
+    contact.normal = -wall.normal;
+    contact.point = foot + depth / 2 * wall.normal;
+    return true;
+}
+
+} // namespace chesil
