@@ -15,6 +15,9 @@ struct CurvedPoint
     Vector<Dim> point;
     /// Radius of curvature [m]: 0 at a corner, infinite within a straight side.
     double radius;
+    /// How far the normal may turn either way [rad, to first order] before the outline is another curve, or a straight
+    /// side; 0 says nothing.
+    double room;
 };
 
 /// A stretch of an outline, given by its range of outward normals (unit, counter-clockwise, less than
@@ -41,7 +44,8 @@ struct StraightSide
 /// asks beyond that (a shape without it is left to GJK and EPA):
 ///
 /// - curvedSupport(normal): CurvedPoint for a unit normal;
-/// - stretchAt(normal): an OutlineStretch that holds this normal;
+/// - stretchAt(normal): an OutlineStretch that holds this normal, rather wide than tight;
+/// - narrowStretchAt(normal): the same, rather tight than wide;
 /// - leastRadius(): lower bound of the radius of curvature of the whole outline [m], 0 if there are corners;
 /// - innerRadius(): lower bound of the distance of the outline from the origin [m];
 /// - mayHaveStraightSides, and if true hasStraightSides(); straightSideFacing(normal): pointer to the one whose

@@ -8,6 +8,11 @@ namespace chesil::tolerances
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+/// Sizes of shapes [m] lie between these: beyond, moments of inertia (the fourth power) and curvatures run
+/// out of double's range.
+constexpr double leastSize = 1e-60;
+constexpr double largestSize = 1e60;
+
 /// EPA stops when its bounds on the depth differ by less than this share of the two grains' radii. Where it stops
 /// is a jump in the force as the grains move; in the shallowest contact that matters, 1e-6 radii deep, this keeps the
 /// jump below 1e-6 of the force, so that runs which differ by rounding (1 or 2 ranks, say) stay together.

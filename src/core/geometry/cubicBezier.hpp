@@ -114,7 +114,9 @@ inline CurvedPoint<2> CubicBezier::curvedSupport(const Vector2& normal) const
     const double w0 = ss * s, w1 = 1.5 * st * s, w2 = 1.5 * st * t, w3 = tt * t;
     const double x = (w0 * points_[0].x() + w1 * points_[1].x()) + (w2 * points_[2].x() + w3 * points_[3].x());
     const double y = (w0 * points_[0].y() + w1 * points_[1].y()) + (w2 * points_[2].y() + w3 * points_[3].y());
-    return {Vector2(x, y), radius};
+    // The curve's end is the arc 3 u min(t, s) away, to first order.
+    const double room = radius > 0 ? 3 * std::abs(speed) * std::min(t, s) / radius : 0;
+    return {Vector2(x, y), radius, room};
 }
 
 } // namespace chesil

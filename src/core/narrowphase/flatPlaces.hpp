@@ -43,7 +43,11 @@ inline std::array<FlatPlace, 2> flatPlaces(
     Vector2 low = end;
     Vector2 high = start;
     const bool nearLow = (deepest - low).squaredNorm() <= (deepest - high).squaredNorm();
-    (nearLow ? low : high) = deepest;
+    // Not a point between them: that of a side exactly parallel is any.
+    if (nearLow ? coordinate(deepest) < coordinate(low) : coordinate(deepest) > coordinate(high))
+    {
+        (nearLow ? low : high) = deepest;
+    }
 
     const double x0 = coordinate(low);
     const double x1 = coordinate(high);

@@ -61,6 +61,12 @@ inline SupportVertex<2> nearestPointOfTriangle(Simplex<2>& simplex)
     return firstIsNearer ? ofFirst : ofSecond;
 }
 
+template <class Difference>
+GjkStatus touchingOrOverlapping(const Difference& difference, const Vector2& direction)
+{
+    return gjk<2>(difference, direction).status == GjkStatus::overlapping ? GjkStatus::overlapping : GjkStatus::touching;
+}
+
 /// Distance of two convex shapes and where it is, on the support contract alone: the simplex walks towards the origin
 /// until its nearest point and the newest support plane agree to `tolerance` times the sum of the radii.
 /// Gilbert, Johnson & Keerthi 1988; the end by van den Bergen 1999. `direction` is where to look first.
@@ -90,7 +96,8 @@ GjkDistance<2> gjkDistance(
         }
         if (distance <= enough)
         {
-            return ended(GjkStatus::touching, nearest);
+            // The origin lies on the simplex, which may be within or on the border.
+            return ended(touchingOrOverlapping(difference, direction), nearest);
         }
         const SupportVertex<2> vertex = difference.support(-nearest.difference);
         const double bound = vertex.difference.dot(nearest.difference) / distance;
@@ -112,7 +119,7 @@ GjkDistance<2> gjkDistance(
         if (!(nearer.difference.squaredNorm() < nearest.difference.squaredNorm()))
         {
             // Rounding keeps it from coming nearer.
-            return ended(bound > 0 ? GjkStatus::separated : GjkStatus::touching, nearest);
+            return ended(bound > 0 ? GjkStatus::separated : touchingOrOverlapping(difference, direction), nearest);
         }
         nearest = nearer;
     }

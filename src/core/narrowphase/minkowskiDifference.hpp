@@ -26,6 +26,8 @@ struct CurvedVertex
     Vector<Dim> onA;
     double radiusA;
     double radiusB;
+    /// How far the normal may turn before either outline is another curve [rad].
+    double room;
 
     double radius() const { return radiusA + radiusB; }
 };
@@ -83,19 +85,12 @@ public:
     /// The stretch of the set's boundary around a unit normal on which both shapes' bounds hold; world axes.
     OutlineStretch stretchAt(const Vector2& normal) const
     {
-        const OutlineStretch a = turned(a_.stretchAt(rotationA_.applyInverse(normal)), rotationA_, 1);
-        const OutlineStretch b = turned(b_.stretchAt(rotationB_.applyInverse(-normal)), rotationB_, -1);
-        const double radius = a.leastRadius + b.leastRadius;
-        if (a.whole || b.whole)
-        {
-            const OutlineStretch& narrow = a.whole ? b : a;
-            return {radius, narrow.whole, narrow.firstNormal, narrow.lastNormal};
-        }
-        return {
-            radius,
-            false,
-            cross(a.firstNormal, b.firstNormal) > 0 ? b.firstNormal : a.firstNormal,
-            cross(a.lastNormal, b.lastNormal) > 0 ? a.lastNormal : b.lastNormal};
+        return common(a_.stretchAt(rotationA_.applyInverse(normal)), b_.stretchAt(rotationB_.applyInverse(-normal)));
+    }
+
+    OutlineStretch narrowStretchAt(const Vector2& normal) const
+    {
+        return common(a_.narrowStretchAt(rotationA_.applyInverse(normal)), b_.narrowStretchAt(rotationB_.applyInverse(-normal)));
     }
 
     /// A straight side of the set between two normals (as a shape's straightSideBetween), made of a side of one shape
@@ -131,15 +126,15 @@ public:
         {
             side.normal = rotationA_.apply(ofA->normal);
             const CurvedPoint<2> onB = curvedOnB(side.normal);
-            side.start = joined({rotationA_.apply(ofA->start), 0}, onB);
-            side.end = joined({rotationA_.apply(ofA->end), 0}, onB);
+            side.start = joined({rotationA_.apply(ofA->start), 0, 0}, onB);
+            side.end = joined({rotationA_.apply(ofA->end), 0, 0}, onB);
         }
         else
         {
             side.normal = -rotationB_.apply(ofB->normal);
             const CurvedPoint<2> onA = curvedOnA(side.normal);
-            side.start = joined(onA, {rotationB_.apply(ofB->start), 0});
-            side.end = joined(onA, {rotationB_.apply(ofB->end), 0});
+            side.start = joined(onA, {rotationB_.apply(ofB->start), 0, 0});
+            side.end = joined(onA, {rotationB_.apply(ofB->end), 0, 0});
         }
         return true;
     }
@@ -159,18 +154,35 @@ private:
     CurvedPoint<Dim> curvedOnA(const Vector<Dim>& normal) const
     {
         const CurvedPoint<Dim> local = a_.curvedSupport(rotationA_.applyInverse(normal));
-        return {rotationA_.apply(local.point), local.radius};
+        return {rotationA_.apply(local.point), local.radius, local.room};
     }
 
     CurvedPoint<Dim> curvedOnB(const Vector<Dim>& normal) const
     {
         const CurvedPoint<Dim> local = b_.curvedSupport(rotationB_.applyInverse(-normal));
-        return {rotationB_.apply(local.point), local.radius};
+        return {rotationB_.apply(local.point), local.radius, local.room};
     }
 
     CurvedVertex<Dim> joined(const CurvedPoint<Dim>& onA, const CurvedPoint<Dim>& onB) const
     {
-        return {onA.point - onB.point - centreToCentre_, onA.point, onA.radius, onB.radius};
+        return {onA.point - onB.point - centreToCentre_, onA.point, onA.radius, onB.radius, std::min(onA.room, onB.room)};
+    }
+
+    OutlineStretch common(const OutlineStretch& localA, const OutlineStretch& localB) const
+    {
+        const OutlineStretch a = turned(localA, rotationA_, 1);
+        const OutlineStretch b = turned(localB, rotationB_, -1);
+        const double radius = a.leastRadius + b.leastRadius;
+        if (a.whole || b.whole)
+        {
+            const OutlineStretch& narrow = a.whole ? b : a;
+            return {radius, narrow.whole, narrow.firstNormal, narrow.lastNormal};
+        }
+        return {
+            radius,
+            false,
+            cross(a.firstNormal, b.firstNormal) > 0 ? b.firstNormal : a.firstNormal,
+            cross(a.lastNormal, b.lastNormal) > 0 ? a.lastNormal : b.lastNormal};
     }
 
     static OutlineStretch turned(const OutlineStretch& stretch, const Rotation<2>& rotation, double sign)
@@ -187,29 +199,6 @@ private:
     const Rotation<Dim>& rotationA_;
     const Rotation<Dim>& rotationB_;
     Vector<Dim> centreToCentre_;
-};
-
-/// A - B less a disk (ball) of radius `radius` [m] all round: what its support points become if each is drawn in along
-/// the search direction. Convex as long as the radius is at most leastRadius(). Every depth shrinks by the radius.
-template <int Dim, class Difference>
-class ErodedDifference
-{
-public:
-    ErodedDifference(const Difference& difference, double radius) : difference_(difference), radius_(radius) {}
-
-    SupportVertex<Dim> support(const Vector<Dim>& direction) const
-    {
-        SupportVertex<Dim> vertex = difference_.support(direction);
-        vertex.difference -= radius_ / direction.norm() * direction;
-        return vertex;
-    }
-
-    const Vector<Dim>& centreToCentre() const { return difference_.centreToCentre(); }
-    double size() const { return difference_.size(); }
-
-private:
-    const Difference& difference_;
-    double radius_;
 };
 
 } // namespace chesil

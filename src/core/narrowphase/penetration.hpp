@@ -3,6 +3,7 @@
 #include "core/narrowphase/deepestValley.hpp"
 #include "core/narrowphase/epa.hpp"
 #include "core/narrowphase/gjk.hpp"
+#include "core/narrowphase/sectorSweep.hpp"
 
 namespace chesil
 {
@@ -12,7 +13,7 @@ enum class PairStatus
 {
     separated,
     overlapping,
-    /// Overlapping, with a depth that EPA could not bring to its tolerance.
+    /// Overlapping, with a depth that is an upper bound: neither sweep nor EPA could prove it the least.
     coarse,
     /// GJK did not decide within its limit; counts as separated.
     undecided,
@@ -64,55 +65,35 @@ inline Penetration<2> penetrationIn(const Valley& valley)
 }
 
 /// Contact of two shapes by the nearest valley from `normal` (unit), which last step's normal makes one or two support
-/// calls. A direction that separates them ends the search. What the valley cannot prove is left to GJK and EPA on
-/// the difference less its smallest circle of curvature, which tells directions apart that a round pair
-/// makes alike, and finished in the valley that they find.
+/// calls. A direction that separates them ends the search. What the valley cannot prove, a sweep over all
+/// directions does.
 template <class Difference>
 Penetration<2> penetration(const Difference& difference, const Vector2& normal)
 {
     ValleySearch<Difference> search(difference);
     const Valley valley = search.from(normal, SeparatedPairs::stop);
-    if (valley.status == ValleyStatus::separated)
-    {
-        return {PairStatus::separated, valley.normal, valley.height, valley.onA};
-    }
     if (valley.status == ValleyStatus::notFinite)
     {
         return {PairStatus::notFinite, normal, 0, Vector2::Zero()};
     }
-    const bool found = valley.status == ValleyStatus::found;
+    const bool found = valley.status != ValleyStatus::roundLimit;
     if (found && (valley.height <= 0 || isDeepest(difference, valley)))
     {
         return penetrationIn(valley);
     }
 
     difference.countFallBack();
-    const double core = difference.leastRadius();
-    const ErodedDifference<2, Difference> eroded(difference, core);
-    const Penetration<2> expanded = penetrationByExpansion<2>(eroded, valley.normal);
-    if (expanded.status == PairStatus::notFinite || expanded.status == PairStatus::undecided)
+    const SweptValley swept = SectorSweep<Difference>(difference, valley).run();
+    if (swept.status == SweepStatus::notFinite)
     {
-        return expanded;
+        return {PairStatus::notFinite, normal, 0, Vector2::Zero()};
     }
-    if (expanded.status == PairStatus::separated)
+    Penetration<2> result = penetrationIn(swept.valley);
+    if (swept.status == SweepStatus::capacityReached && result.status == PairStatus::overlapping)
     {
-        // The cores touch: the depth is the core's radius but for rounding, in any direction that shows it.
-        if (expanded.normal == Vector2::Zero())
-        {
-            return penetrationIn(valley);
-        }
-        ValleySearch<Difference> apart(difference);
-        const Valley touching = apart.from(unit(expanded.normal), SeparatedPairs::stop);
-        return penetrationIn(touching.height < valley.height ? touching : valley);
+        result.status = PairStatus::coarse;
     }
-    ValleySearch<Difference> finish(difference);
-    const Valley finished = finish.from(expanded.normal, SeparatedPairs::stop);
-    const double expandedDepth = expanded.depth + core;
-    if (finished.status == ValleyStatus::found && finished.height <= expandedDepth + tolerances::supportRounding * difference.size())
-    {
-        return penetrationIn(finished);
-    }
-    return {expanded.status, expanded.normal, expandedDepth, expanded.point - core / 2 * expanded.normal};
+    return result;
 }
 
 } // namespace chesil

@@ -4,6 +4,7 @@
 #include "core/narrowphase/minkowskiDifference.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace chesil
 {
@@ -52,7 +53,7 @@ class ValleySearch
 {
 public:
     explicit ValleySearch(const Difference& difference)
-    : difference_(difference), floor_(tolerances::supportRounding * difference.size())
+    : difference_(difference), size_(difference.size()), floor_(tolerances::supportRounding * size_)
     {
     }
 
@@ -61,6 +62,7 @@ public:
     {
         CurvedVertex<2> vertex = difference_.curvedSupport(normal);
         double previousTurn = 0;
+        double previousRadius = 0;
         for (int round = 0; round < mostRounds; ++round)
         {
             const double height = normal.dot(vertex.difference);
@@ -77,10 +79,14 @@ public:
             const double bend = vertex.radius() - height;
             const bool curved = bend > 0 && std::isfinite(bend);
             const double turn = curved ? slope / bend : 0;
-            const double gain = slope * turn / 2;
-            // After two Newton steps in a row their ratio tells how wrong the circle of curvature can be.
-            const double ratio = previousTurn != 0 ? turn / previousTurn : 1;
-            if (curved && gain * std::min(1.0, 4 * ratio * ratio) <= floor_)
+            // What is still to gain on a circle of curvature, if the outline keeps to it; after two of Newton's steps in a
+            // row, the third-order term that the circle leaves out: the depth's error once the last step is taken.
+            const double gain = slope * slope / (2 * std::min(bend, size_));
+            const double radius = vertex.radius();
+            const double change = previousTurn != 0 ? std::abs((radius - previousRadius) / previousTurn) : infinity;
+            const double left = std::min(gain, std::max(change, radius) * std::abs(turn * turn * turn));
+            const bool settled = std::abs(turn) <= vertex.room ? left <= floor_ : std::abs(slope) <= floor_;
+            if (curved && settled)
             {
                 return atCircle(normal, vertex, height, slope);
             }
@@ -96,17 +102,18 @@ public:
             bool newton = curved;
             bool chord = false;
             if (clockwise_.known && counterClockwise_.known
-                && (!newton || !isFencedIn(next) || (previousTurn != 0 && std::abs(turn) > std::abs(previousTurn))))
+                && (!newton || !isFencedIn(next) || (previousTurn != 0 && 2 * std::abs(turn) > std::abs(previousTurn))))
             {
                 next = chordNormal();
                 if (!isFencedIn(next))
                 {
-                    return atChord(next);
+                    return atFences();
                 }
                 newton = false;
                 chord = true;
             }
             previousTurn = newton ? turn : 0;
+            previousRadius = radius;
 
             if constexpr (Difference::mayHaveStraightSides())
             {
@@ -143,6 +150,7 @@ public:
 private:
     /// Newton takes about four from a bad guess; the chord's step, of third order in bad cases, some more.
     static constexpr int mostRounds = 40;
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     /// A normal on one side of the minimum, and its support point.
     struct Fence
@@ -162,6 +170,10 @@ private:
     {
         const Vector2 fromCentre = vertex.radius() * normal - vertex.difference;
         const double distance = fromCentre.norm();
+        if (!(distance > 0))
+        {
+            return ended(ValleyStatus::found, normal, height, vertex);
+        }
         const double bend = vertex.radius() - height;
         const Vector2 bottom = (1 / distance) * fromCentre;
         const double lowest = height - slope * slope / (distance + bend);
@@ -187,6 +199,19 @@ private:
             true};
     }
 
+    /// The minimum lies between two fences with no normal between them: at the lower one, but for rounding.
+    Valley atFences() const
+    {
+        const double first = clockwise_.normal.dot(clockwise_.vertex.difference);
+        const double last = counterClockwise_.normal.dot(counterClockwise_.vertex.difference);
+        const Fence& lower = first <= last ? clockwise_ : counterClockwise_;
+        Valley valley = ended(ValleyStatus::found, lower.normal, std::min(first, last), lower.vertex);
+        valley.start = clockwise_.vertex.difference;
+        valley.end = counterClockwise_.vertex.difference;
+        valley.onStraightSide = true;
+        return valley;
+    }
+
     /// The minimum lies between the two fences, and their chord is a side of A - B but for rounding.
     Valley atChord(const Vector2& normal) const
     {
@@ -194,11 +219,6 @@ private:
         const CurvedVertex<2>& last = counterClockwise_.vertex;
         const Vector2 chord = last.difference - first.difference;
         const double squaredLength = chord.squaredNorm();
-        if (!(squaredLength > floor_ * floor_))
-        {
-            // Too short for a normal of its own: both fences are as deep, but for rounding.
-            return ended(ValleyStatus::found, clockwise_.normal, clockwise_.normal.dot(first.difference), first);
-        }
         const double share = std::min(1.0, std::max(0.0, -first.difference.dot(chord) / squaredLength));
         const double height = std::max(normal.dot(first.difference), normal.dot(last.difference));
         const Vector2 onA = first.onA + share * (last.onA - first.onA);
@@ -226,6 +246,7 @@ private:
     }
 
     const Difference& difference_;
+    double size_;
     double floor_;
     Fence clockwise_;
     Fence counterClockwise_;

@@ -1,6 +1,6 @@
 #include "core/shapes/circle.hpp"
 
-#include "core/base/setupError.hpp"
+#include "core/base/sizeRange.hpp"
 
 #include <cmath>
 
@@ -9,10 +9,7 @@ namespace chesil
 
 Circle::Circle(double radius) : radius_(radius)
 {
-    if (!(std::isfinite(radius) && radius > 0))
-    {
-        throw ValueError(numberText(radius), "a radius > 0 [m]");
-    }
+    requireSize(radius, "a radius");
 }
 
 MassProperties Circle::massProperties() const

@@ -5,6 +5,8 @@
 #include "core/geometry/outline.hpp"
 #include "core/shapes/massProperties.hpp"
 
+#include <limits>
+
 namespace chesil
 {
 
@@ -27,8 +29,9 @@ public:
 
     double boundingRadius() const { return radius_; }
 
-    CurvedPoint<2> curvedSupport(const Vector2& normal) const { return {radius_ * normal, radius_}; }
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const { return {radius_ * normal, radius_, std::numeric_limits<double>::infinity()}; }
     OutlineStretch stretchAt(const Vector2& normal) const { return {radius_, true, normal, normal}; }
+    OutlineStretch narrowStretchAt(const Vector2& normal) const { return stretchAt(normal); }
     double leastRadius() const { return radius_; }
     double innerRadius() const { return radius_; }
     static constexpr bool mayHaveStraightSides = false;

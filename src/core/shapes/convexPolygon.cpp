@@ -1,6 +1,6 @@
 #include "core/shapes/convexPolygon.hpp"
 
-#include "core/base/setupError.hpp"
+#include "core/base/sizeRange.hpp"
 #include "core/base/tolerances.hpp"
 #include "core/geometry/convexity.hpp"
 #include "core/shapes/centring.hpp"
@@ -51,6 +51,7 @@ ConvexPolygon::ConvexPolygon(const std::vector<Vector2>& vertices)
         boundingRadius_ = std::max(boundingRadius_, edge.start().norm());
     }
 
+    requireSize(boundingRadius_, "an outline with a bounding radius");
     innerRadius_ = boundingRadius_;
     for (std::size_t i = 0; i < vertices_.size(); ++i)
     {

@@ -6,6 +6,7 @@
 #include "core/shapes/massProperties.hpp"
 #include "core/shapes/normalTable.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace chesil
@@ -35,8 +36,15 @@ public:
     /// Side i from vertex i on.
     const std::vector<StraightSide>& sides() const { return sides_; }
 
-    CurvedPoint<2> curvedSupport(const Vector2& normal) const { return {support(normal), 0}; }
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const
+    {
+        const std::size_t vertex = supportVertex(normal);
+        const double before = cross(sides_[vertex == 0 ? sides_.size() - 1 : vertex - 1].normal, normal);
+        const double after = cross(normal, sides_[vertex].normal);
+        return {vertices_[vertex], 0, std::max(0.0, std::min(before, after))};
+    }
     OutlineStretch stretchAt(const Vector2& normal) const;
+    OutlineStretch narrowStretchAt(const Vector2& normal) const { return stretchAt(normal); }
     double leastRadius() const { return 0; }
     double innerRadius() const { return innerRadius_; }
     static constexpr bool mayHaveStraightSides = true;

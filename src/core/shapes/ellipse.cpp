@@ -1,7 +1,8 @@
 #include "core/shapes/ellipse.hpp"
 
-#include "core/base/setupError.hpp"
+#include "core/base/sizeRange.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chesil
@@ -9,13 +10,8 @@ namespace chesil
 
 Ellipse::Ellipse(double a, double b) : a_(a), b_(b)
 {
-    for (const double axis : {a, b})
-    {
-        if (!(std::isfinite(axis) && axis > 0))
-        {
-            throw ValueError(numberText(axis), "a half-axis > 0 [m]");
-        }
-    }
+    requireSize(a, "a half-axis");
+    requireSize(b, "a half-axis");
 }
 
 OutlineStretch Ellipse::stretchAt(const Vector2& normal) const
@@ -35,6 +31,23 @@ OutlineStretch Ellipse::stretchAt(const Vector2& normal) const
     const Vector2 last = Vector2(a_ > b_ ? -corner.x() : corner.x(), corner.y());
     const bool opposite = a_ > b_ ? normal.y() < 0 : normal.x() < 0;
     return {radius, false, opposite ? Vector2(-first) : first, opposite ? Vector2(-last) : last};
+}
+
+OutlineStretch Ellipse::narrowStretchAt(const Vector2& normal) const
+{
+    // The point (a cos t, b sin t) has the normal along (b cos t, a sin t) and the radius of curvature
+    // (a^2 sin^2 t + b^2 cos^2 t)^(3/2)/(a b), which is monotonic in each quarter.
+    constexpr double step = M_PI / 64;
+    const double cell = std::floor(std::atan2(b_ * normal.y(), a_ * normal.x()) / step);
+    const auto normalAt = [&](double t) -> Vector2 { return unit(Vector2(b_ * std::cos(t), a_ * std::sin(t))); };
+    const auto radiusAt = [&](double t)
+    {
+        const double stretch = std::hypot(a_ * std::sin(t), b_ * std::cos(t));
+        return stretch / a_ * (stretch / b_) * stretch;
+    };
+    const double from = cell * step;
+    const double to = (cell + 1) * step;
+    return {std::min(radiusAt(from), radiusAt(to)), false, normalAt(from), normalAt(to)};
 }
 
 MassProperties Ellipse::massProperties() const

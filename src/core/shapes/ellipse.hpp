@@ -5,6 +5,8 @@
 #include "core/geometry/outline.hpp"
 #include "core/shapes/massProperties.hpp"
 
+#include <limits>
+
 namespace chesil
 {
 
@@ -36,10 +38,11 @@ public:
         const Vector2 stretched(a_ * normal.x(), b_ * normal.y());
         const double inverse = 1 / stretched.norm();
         const double share = a_ * b_ * inverse;
-        return {Vector2(a_ * (stretched.x() * inverse), b_ * (stretched.y() * inverse)), share * share * inverse};
+        return {Vector2(a_ * (stretched.x() * inverse), b_ * (stretched.y() * inverse)), share * share * inverse, std::numeric_limits<double>::infinity()};
     }
 
     OutlineStretch stretchAt(const Vector2& normal) const;
+    OutlineStretch narrowStretchAt(const Vector2& normal) const;
     double leastRadius() const { return a_ < b_ ? a_ * (a_ / b_) : b_ * (b_ / a_); }
     double innerRadius() const { return a_ < b_ ? a_ : b_; }
     static constexpr bool mayHaveStraightSides = false;

@@ -1,12 +1,13 @@
 #include "core/shapes/polyBezier.hpp"
 
-#include "core/base/setupError.hpp"
+#include "core/base/sizeRange.hpp"
 #include "core/base/tolerances.hpp"
 #include "core/geometry/convexity.hpp"
 #include "core/shapes/centring.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace chesil
@@ -118,6 +119,26 @@ Vector2 outwardNormal(const Vector2& tangent)
     return -perpendicular(tangent).normalized();
 }
 
+OutlineStretch stretchOf(const CubicBezier& curve)
+{
+    return {curve.leastCurvatureRadius(), false, outwardNormal(curve.startTangent()), outwardNormal(curve.endTangent())};
+}
+
+std::vector<OutlineStretch> stretchesOf(const std::vector<CubicBezier>& curves)
+{
+    std::vector<OutlineStretch> stretches;
+    std::transform(curves.begin(), curves.end(), std::back_inserter(stretches), stretchOf);
+    return stretches;
+}
+
+std::vector<Vector2> startsOf(const std::vector<OutlineStretch>& stretches)
+{
+    std::vector<Vector2> starts;
+    std::transform(
+        stretches.begin(), stretches.end(), std::back_inserter(starts), [](const OutlineStretch& s) { return s.firstNormal; });
+    return starts;
+}
+
 bool isStraight(const OutlineStretch& stretch)
 {
     return cross(stretch.firstNormal, stretch.lastNormal) <= tolerances::sameNormal
@@ -142,18 +163,16 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
     mass_ = boundary.mass;
 
     leastRadius_ = innerRadius_ = std::numeric_limits<double>::infinity();
-    std::vector<Vector2> starts;
     for (std::size_t i = 0; i < segments_.size(); ++i)
     {
         const CubicBezier& segment = segments_[i];
         boundingRadius_ = std::max(boundingRadius_, furthestPoint(segment));
         innerRadius_ = std::min(innerRadius_, nearestChord(segment));
 
-        const OutlineStretch stretch{segment.leastCurvatureRadius(), false, outwardNormal(segment.startTangent()),
-                                     outwardNormal(segment.endTangent())};
-        curves_.push_back(segment);
-        stretches_.push_back(stretch);
-        if (isStraight(stretch))
+        const OutlineStretch stretch = stretchOf(segment);
+        const bool straight = isStraight(stretch);
+        addCurve(segment, stretch, straight ? std::vector<OutlineStretch>{stretch} : stretchesOf(partsOf(segment)));
+        if (straight)
         {
             straightSides_.push_back({outwardNormal(segment.end() - segment.start()), segment.start(), segment.end()});
         }
@@ -161,16 +180,25 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
         if (cross(stretch.lastNormal, nextNormal) > tolerances::joint)
         {
             const Vector2& corner = segment.end();
-            curves_.push_back(CubicBezier({corner, corner, corner, corner}));
-            stretches_.push_back({0, false, stretch.lastNormal, nextNormal});
+            const OutlineStretch atCorner{0, false, stretch.lastNormal, nextNormal};
+            addCurve(CubicBezier({corner, corner, corner, corner}), atCorner, {atCorner});
         }
     }
-    for (const OutlineStretch& stretch : stretches_)
+    for (const OutlineStretch& stretch : narrowStretches_)
     {
-        starts.push_back(stretch.firstNormal);
         leastRadius_ = std::min(leastRadius_, stretch.leastRadius);
     }
-    normals_ = NormalTable(starts);
+    requireSize(boundingRadius_, "an outline with a bounding radius");
+    normals_ = NormalTable(startsOf(stretches_));
+    narrowNormals_ = NormalTable(startsOf(narrowStretches_));
+}
+
+void PolyBezier::addCurve(
+    const CubicBezier& curve, const OutlineStretch& stretch, const std::vector<OutlineStretch>& narrowStretches)
+{
+    curves_.push_back(curve);
+    stretches_.push_back(stretch);
+    narrowStretches_.insert(narrowStretches_.end(), narrowStretches.begin(), narrowStretches.end());
 }
 
 const StraightSide* PolyBezier::straightSideFacing(const Vector2& normal) const

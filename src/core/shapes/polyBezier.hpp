@@ -7,6 +7,7 @@
 #include "core/shapes/massProperties.hpp"
 #include "core/shapes/normalTable.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace chesil
@@ -44,8 +45,19 @@ public:
 
     double boundingRadius() const { return boundingRadius_; }
 
-    CurvedPoint<2> curvedSupport(const Vector2& normal) const { return curves_[normals_.find(normal)].curvedSupport(normal); }
+    CurvedPoint<2> curvedSupport(const Vector2& normal) const
+    {
+        const std::size_t piece = normals_.find(normal);
+        CurvedPoint<2> result = curves_[piece].curvedSupport(normal);
+        if (result.radius == 0)
+        {
+            const OutlineStretch& corner = stretches_[piece];
+            result.room = std::max(0.0, std::min(cross(corner.firstNormal, normal), cross(normal, corner.lastNormal)));
+        }
+        return result;
+    }
     OutlineStretch stretchAt(const Vector2& normal) const { return stretches_[normals_.find(normal)]; }
+    OutlineStretch narrowStretchAt(const Vector2& normal) const { return narrowStretches_[narrowNormals_.find(normal)]; }
     double leastRadius() const { return leastRadius_; }
     double innerRadius() const { return innerRadius_; }
     static constexpr bool mayHaveStraightSides = true;
@@ -57,13 +69,19 @@ public:
     Outline outline() const { return Outline(segments_.begin(), segments_.end()); }
 
 private:
+    void addCurve(
+        const CubicBezier& curve, const OutlineStretch& stretch, const std::vector<OutlineStretch>& narrowStretches);
+
     std::vector<CubicBezier> segments_;
     Vector2 givenCentroid_ = Vector2::Zero();
-    /// The segments and, as curves of no length, the corners between them, and their stretches.
+    /// The segments and, as curves of no length, the corners between them.
     std::vector<CubicBezier> curves_;
     std::vector<OutlineStretch> stretches_;
-    std::vector<StraightSide> straightSides_;
     NormalTable normals_;
+    /// Parts of the curves, for bounds that are nearly tight.
+    std::vector<OutlineStretch> narrowStretches_;
+    NormalTable narrowNormals_;
+    std::vector<StraightSide> straightSides_;
     double leastRadius_ = 0;
     double innerRadius_ = 0;
     double boundingRadius_ = 0;

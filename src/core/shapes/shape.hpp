@@ -11,10 +11,13 @@
 namespace chesil
 {
 
-/// The shapes a grain can have: the one line to lengthen for a new shape (doc/addAShape.md). Each
-/// offers support(direction), boundingRadius(), massProperties(), outline(), typeName; its frame has the
-/// origin at the centroid.
-using Shape = std::variant<Circle, Ellipse, ConvexPolygon, PolyBezier>;
+/// The shapes a grain can have: the one line to lengthen for a new shape (doc/addAShape.md). A build with fewer says
+/// which (tests/benchmarks/payForUse). Each offers support(direction), boundingRadius(), massProperties(), outline(),
+/// typeName; its frame has the origin at the centroid.
+#ifndef CHESIL_SHAPES
+#define CHESIL_SHAPES Circle, Ellipse, ConvexPolygon, PolyBezier
+#endif
+using Shape = std::variant<CHESIL_SHAPES>;
 
 /// A shape under the name the user knows it by.
 struct NamedShape

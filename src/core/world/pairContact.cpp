@@ -38,7 +38,7 @@ Penetration<2> search(
         if (std::max(loopA.size, loopB.size) <= mostAxes)
         {
             // Last step's direction most often still separates what it separated then.
-            if (direction != Vector2::Zero())
+            if (direction != Vector2::Zero() && direction.allFinite())
             {
                 const double reach = direction.dot(difference.support(direction).difference);
                 if (reach < 0)

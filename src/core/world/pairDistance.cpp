@@ -39,22 +39,26 @@ PairDistance distanceByExpansion(const Difference& difference, const Vector2& no
 template <class Difference>
 PairDistance distanceByValley(const Difference& difference, const Vector2& normal)
 {
-    ValleySearch<Difference> search(difference);
-    const Valley valley = search.from(normal, SeparatedPairs::goOn);
+    Valley valley = ValleySearch<Difference>(difference).from(normal, SeparatedPairs::goOn);
+    if (!(valley.height < 0) && valley.status != ValleyStatus::notFinite)
+    {
+        const Penetration<2> found = penetration(difference, valley.normal);
+        if (found.status != PairStatus::separated || !(found.depth < 0))
+        {
+            return distanceOf(found);
+        }
+        // The first valley was one behind A: another direction separates them.
+        valley = ValleySearch<Difference>(difference).from(unit(found.normal), SeparatedPairs::goOn);
+    }
     if (valley.status == ValleyStatus::notFinite)
     {
         return {PairStatus::notFinite, 0, normal, Vector2::Zero(), Vector2::Zero()};
     }
-    if (valley.height < 0)
+    if (valley.status != ValleyStatus::found)
     {
-        if (valley.status != ValleyStatus::found)
-        {
-            return distanceByExpansion(difference, valley.normal);
-        }
-        return {
-            PairStatus::separated, -valley.height, valley.normal, valley.onA, valley.onA - valley.height * valley.normal};
+        return distanceByExpansion(difference, valley.normal);
     }
-    return distanceOf(penetration(difference, valley.normal));
+    return {PairStatus::separated, -valley.height, valley.normal, valley.onA, valley.onA - valley.height * valley.normal};
 }
 
 } // namespace

@@ -98,6 +98,11 @@ struct Results
     std::vector<std::pair<std::string, std::string>> comments;
     std::vector<Measurement> measurements;
 
+    /// Further files of the same form (and pictures): suffix "Ellipse" of subject.csv is subjectEllipse.csv.
+    std::vector<Results> beside;
+    std::string suffix;
+
+    /// `path` holds the subject's name, then a dot; files beside it get their suffix in front of that.
     void write(const std::string& path) const
     {
         std::ofstream file(path);
@@ -113,6 +118,12 @@ struct Results
         if (!file.flush())
         {
             throw std::runtime_error("cannot write " + path);
+        }
+        for (const Results& other : beside)
+        {
+            const std::size_t slash = path.rfind('/');
+            const std::size_t dot = path.find('.', slash == std::string::npos ? 0 : slash);
+            other.write(std::string(path).insert(std::min(dot, path.size()), other.suffix));
         }
     }
 };

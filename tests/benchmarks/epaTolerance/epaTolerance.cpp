@@ -2,7 +2,7 @@
 
 #include "benchmarks/common/benchmark.hpp"
 #include "benchmarks/common/overlappingPoses.hpp"
-#include "benchmarks/epaTolerance/referenceDepth.hpp"
+#include "benchmarks/common/referenceDepth.hpp"
 #include "core/narrowphase/epa.hpp"
 #include "core/narrowphase/gjk.hpp"
 
