@@ -23,7 +23,10 @@ struct FlatPlace
 {
     /// Overlap there [m]; not positive if this end hangs free.
     double depth;
-    /// On the other shape's side [m].
+    /// Unit, out of the reference: its side's normal where a corner of the other shape presses into it; the other side's,
+    /// reversed, where a corner of the reference presses into that.
+    Vector2 normal;
+    /// Middle of the overlap [m].
     Vector2 point;
 };
 
@@ -49,25 +52,27 @@ inline std::array<FlatPlace, 2> flatPlaces(
         (nearLow ? low : high) = deepest;
     }
 
+    const auto atCorner = [&](const Vector2& corner, double d) -> FlatPlace
+    { return {d, reference.normal, corner + d / 2 * reference.normal}; };
+    const auto atEnd = [&](double x) -> FlatPlace
+    {
+        const Vector2 corner = reference.point + x * along;
+        const Vector2 normal = -perpendicular(unit(high - low));
+        const double d = (corner - low).dot(normal);
+        return {d, normal, corner - d / 2 * normal};
+    };
     const double x0 = coordinate(low);
     const double x1 = coordinate(high);
-    const double d0 = depth(low);
-    const double d1 = depth(high);
-    const auto cutAt = [&](double x) -> FlatPlace
-    {
-        const double share = x1 > x0 ? std::min(1.0, std::max(0.0, (x - x0) / (x1 - x0))) : 0.0;
-        return {d0 + share * (d1 - d0), low + share * (high - low)};
-    };
-    const double first = std::max(x0, reference.from);
-    const double last = std::min(x1, reference.to);
-    if (!(first < last))
+    if (!(std::max(x0, reference.from) < std::min(x1, reference.to)))
     {
         // Nothing shared but a point.
-        const FlatPlace whole{depth(deepest), deepest};
-        const FlatPlace none{0, deepest};
+        const FlatPlace whole = atCorner(deepest, depth(deepest));
+        const FlatPlace none{0, reference.normal, deepest};
         return nearLow ? std::array<FlatPlace, 2>{whole, none} : std::array<FlatPlace, 2>{none, whole};
     }
-    return {cutAt(first), cutAt(last)};
+    return {
+        x0 >= reference.from ? atCorner(low, depth(low)) : atEnd(reference.from),
+        x1 <= reference.to ? atCorner(high, depth(high)) : atEnd(reference.to)};
 }
 
 } // namespace chesil

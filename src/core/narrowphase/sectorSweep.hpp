@@ -37,7 +37,7 @@ class SectorSweep
 {
 public:
     SectorSweep(const Difference& difference, const Valley& first)
-    : difference_(difference), floor_(tolerances::supportRounding * difference.size()), best_(first)
+    : difference_(difference), floor_(tolerances::supportRounding / 2 * difference.size()), best_(first)
     {
         if (first.status != ValleyStatus::found)
         {
@@ -183,6 +183,7 @@ private:
     }
 
     const Difference& difference_;
+    /// Half of a support point's rounding: what the proof may leave, beside that of the depth itself.
     double floor_;
     Valley best_;
     SweepStatus ended_ = SweepStatus::proved;

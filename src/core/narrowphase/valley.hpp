@@ -80,15 +80,22 @@ public:
             const bool curved = bend > 0 && std::isfinite(bend);
             const double turn = curved ? slope / bend : 0;
             // What is still to gain on a circle of curvature, if the outline keeps to it; after two of Newton's steps in a
-            // row, the third-order term that the circle leaves out: the depth's error once the last step is taken.
+            // row, the third-order term that the circle leaves out and the last step adds, with two digits to spare, if
+            // that step leaves no more than rounding of the normal's angle.
             const double gain = slope * slope / (2 * std::min(bend, size_));
             const double radius = vertex.radius();
-            const double change = previousTurn != 0 ? std::abs((radius - previousRadius) / previousTurn) : infinity;
-            const double left = std::min(gain, std::max(change, radius) * std::abs(turn * turn * turn));
-            const bool settled = std::abs(turn) <= vertex.room ? left <= floor_ : std::abs(slope) <= floor_;
+            const bool onOneCurve = previousTurn != 0 && std::abs(previousTurn) <= vertex.room;
+            const double radiusChange = onOneCurve ? (previousRadius - radius) / previousTurn : 0;
+            const double change = std::max(std::abs(radiusChange), radius) * turn * turn;
+            const bool known = onOneCurve && change * std::abs(previousTurn) <= tolerances::settledNormal * bend;
+            const double left = known ? std::min(gain, 64 * change * std::abs(turn)) : gain;
+            const bool settled = 2 * std::abs(turn) <= vertex.room ? left <= floor_ : std::abs(slope) <= floor_;
             if (curved && settled)
             {
-                return atCircle(normal, vertex, height, slope);
+                // The third order is a small correction, or says nothing: at a large turn (a boundary round about the
+                // origin), or a joint of unlike curves.
+                const bool small = std::abs(turn) < smallTurn && std::abs(radiusChange * turn) < smallChange * bend;
+                return atBottom(normal, vertex, height, slope, small ? radiusChange : 0);
             }
             if (slope == 0)
             {
@@ -140,7 +147,7 @@ public:
                 const double beyondChord = normal.dot(vertex.difference) - normal.dot(clockwise_.vertex.difference);
                 if (beyondChord <= floor_)
                 {
-                    return atChord(normal);
+                    return atChordOrBottom(normal, vertex);
                 }
             }
         }
@@ -150,7 +157,8 @@ public:
 private:
     /// Newton takes about four from a bad guess; the chord's step, of third order in bad cases, some more.
     static constexpr int mostRounds = 40;
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static constexpr double smallTurn = 1e-4;
+    static constexpr double smallChange = 1e-2;
 
     /// A normal on one side of the minimum, and its support point.
     struct Fence
@@ -165,8 +173,10 @@ private:
         return {status, normal, height, vertex.onA, vertex.difference, vertex.difference, false};
     }
 
-    /// Newton's last step: the normal turns to the bottom of the circle of curvature, A's point along with it.
-    static Valley atCircle(const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope)
+    /// Newton's last step: the normal turns to the bottom of the circle of curvature, and by what the change of that
+    /// circle (the derivative of its radius by the angle [m]) adds; A's point goes along.
+    static Valley atBottom(
+        const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope, double radiusChange)
     {
         const Vector2 fromCentre = vertex.radius() * normal - vertex.difference;
         const double distance = fromCentre.norm();
@@ -175,9 +185,16 @@ private:
             return ended(ValleyStatus::found, normal, height, vertex);
         }
         const double bend = vertex.radius() - height;
-        const Vector2 bottom = (1 / distance) * fromCentre;
-        const double lowest = height - slope * slope / (distance + bend);
-        const Vector2 onA = vertex.onA + vertex.radiusA * (bottom - normal);
+        const double angle = -slope / bend;
+        const Vector2 circleBottom = (1 / distance) * fromCentre;
+        const Vector2 bottom = circleBottom - radiusChange * angle * angle / (2 * bend) * perpendicular(circleBottom);
+        const double lowest = height - slope * slope / (distance + bend) + radiusChange * angle * angle * angle / 6;
+        // A small turn along the arc: on a nearly straight side the difference of the normals has no digits left.
+        const bool small = std::abs(angle) < smallTurn;
+        const double along = angle * vertex.radiusA;
+        const Vector2 onA = vertex.onA
+            + (small ? Vector2(along * perpendicular(normal) - along * angle / 2 * normal)
+                     : Vector2(vertex.radiusA * (bottom - normal)));
         const Vector2 onDifference = lowest * bottom;
         return {ValleyStatus::found, bottom, lowest, onA, onDifference, onDifference, false};
     }
@@ -205,22 +222,40 @@ private:
         const double first = clockwise_.normal.dot(clockwise_.vertex.difference);
         const double last = counterClockwise_.normal.dot(counterClockwise_.vertex.difference);
         const Fence& lower = first <= last ? clockwise_ : counterClockwise_;
-        Valley valley = ended(ValleyStatus::found, lower.normal, std::min(first, last), lower.vertex);
-        valley.start = clockwise_.vertex.difference;
-        valley.end = counterClockwise_.vertex.difference;
-        valley.onStraightSide = true;
-        return valley;
+        return between(lower.normal, std::min(first, last));
+    }
+
+    /// The support point along the chord's normal is on the chord, but for rounding: a straight side, or a curve so
+    /// short that its own circle is as good and knows the normal better.
+    Valley atChordOrBottom(const Vector2& normal, const CurvedVertex<2>& vertex) const
+    {
+        const double height = normal.dot(vertex.difference);
+        const double slope = cross(normal, vertex.difference);
+        const double bend = vertex.radius() - height;
+        if (bend > 0 && 2 * std::abs(slope) <= vertex.room * bend && slope * slope <= 2 * floor_ * std::min(bend, size_)
+            && isFencedIn(unit(vertex.radius() * normal - vertex.difference)))
+        {
+            return atBottom(normal, vertex, height, slope, 0);
+        }
+        return atChord(normal);
     }
 
     /// The minimum lies between the two fences, and their chord is a side of A - B but for rounding.
     Valley atChord(const Vector2& normal) const
     {
+        return between(
+            normal, std::max(normal.dot(clockwise_.vertex.difference), normal.dot(counterClockwise_.vertex.difference)));
+    }
+
+    /// On the chord from fence to fence, where it is nearest to the origin.
+    Valley between(const Vector2& normal, double height) const
+    {
         const CurvedVertex<2>& first = clockwise_.vertex;
         const CurvedVertex<2>& last = counterClockwise_.vertex;
         const Vector2 chord = last.difference - first.difference;
         const double squaredLength = chord.squaredNorm();
-        const double share = std::min(1.0, std::max(0.0, -first.difference.dot(chord) / squaredLength));
-        const double height = std::max(normal.dot(first.difference), normal.dot(last.difference));
+        const double share =
+            squaredLength > 0 ? std::min(1.0, std::max(0.0, -first.difference.dot(chord) / squaredLength)) : 0.0;
         const Vector2 onA = first.onA + share * (last.onA - first.onA);
         return {ValleyStatus::found, normal, height, onA, first.difference, last.difference, true};
     }

@@ -30,16 +30,15 @@ const StraightSide* sideFacing(const Shape& shape, const Vector2& normal)
         shape);
 }
 
-/// `outward` is the reference's normal: the contact's, or its opposite if `flipped`. Places are found relative to
+/// In the order of the contact's normal, which is opposite to the reference's if `flipped`. Places are found relative to
 /// `origin` [m].
 void fill(
-    const std::array<FlatPlace, 2>& found, const Vector2& normal, const Vector2& outward, bool flipped, const Vector2& origin,
-    std::array<ContactGeometry<2>, 2>& places)
+    const std::array<FlatPlace, 2>& found, bool flipped, const Vector2& origin, std::array<ContactGeometry<2>, 2>& places)
 {
     for (std::size_t i = 0; i < 2; ++i)
     {
         const FlatPlace& place = found[flipped ? 1 - i : i];
-        places[i] = {place.depth, normal, origin + (place.point + place.depth / 2 * outward)};
+        places[i] = {place.depth, flipped ? Vector2(-place.normal) : place.normal, origin + place.point};
     }
 }
 
@@ -83,8 +82,7 @@ bool flatContact(
     const Vector2 deepest = offset.toWorld(support(ofA ? b : a, offset.rotation.applyInverse(-outward)));
     const ReferenceSide side{pose.rotation.apply(reference.start), outward, 0, (reference.end - reference.start).norm()};
     fill(
-        flatPlaces(side, offset.toWorld(incident.start), offset.toWorld(incident.end), deepest), contact.normal, outward, !ofA,
-        pose.position, places);
+        flatPlaces(side, offset.toWorld(incident.start), offset.toWorld(incident.end), deepest), !ofA, pose.position, places);
     return true;
 }
 
@@ -104,8 +102,7 @@ bool flatContact(
     const Vector2 deepest = contact.point - contact.depth / 2 * wall.normal;
     const ReferenceSide side{contact.point + contact.depth / 2 * wall.normal, wall.normal, -infinity, infinity};
     fill(
-        flatPlaces(side, pose.toWorld(facing->start), pose.toWorld(facing->end), deepest), contact.normal, wall.normal, true,
-        Vector2::Zero(), places);
+        flatPlaces(side, pose.toWorld(facing->start), pose.toWorld(facing->end), deepest), true, Vector2::Zero(), places);
     return true;
 }
 

@@ -3,6 +3,8 @@
 #include "core/narrowphase/firstNormal.hpp"
 #include "core/narrowphase/gjkDistance.hpp"
 
+#include <cmath>
+
 namespace chesil
 {
 
@@ -58,6 +60,12 @@ PairDistance distanceByValley(const Difference& difference, const Vector2& norma
     {
         return distanceByExpansion(difference, valley.normal);
     }
+    if (!valley.onStraightSide)
+    {
+        // Once more from its own normal: the points then lie on the outlines to rounding.
+        const Valley again = ValleySearch<Difference>(difference).from(valley.normal, SeparatedPairs::goOn);
+        valley = again.status == ValleyStatus::found ? again : valley;
+    }
     return {PairStatus::separated, -valley.height, valley.normal, valley.onA, valley.onA - valley.height * valley.normal};
 }
 
@@ -71,6 +79,10 @@ PairDistance pairDistance(
         {
             using Difference = MinkowskiDifference<2, std::decay_t<decltype(shapeA)>, std::decay_t<decltype(shapeB)>>;
             const Difference difference(shapeA, poseA, shapeB, poseB);
+            if (!std::isfinite(difference.centreToCentre().squaredNorm()))
+            {
+                return PairDistance{PairStatus::notFinite, 0, Vector2::UnitX(), Vector2::Zero(), Vector2::Zero()};
+            }
             const Vector2 first = firstNormal<2>(direction, difference.centreToCentre());
             if constexpr (Difference::offersCurvature)
             {
