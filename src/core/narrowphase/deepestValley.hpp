@@ -2,6 +2,7 @@
 
 #include "core/narrowphase/valley.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chesil
@@ -53,11 +54,13 @@ bool isDeepest(const Difference& difference, const Valley& valley)
         {
             return true;
         }
-        const Vector2 centre = valley.end - stretch.leastRadius * valley.normal;
+        // No larger than the shapes, so that its centre loses no digits.
+        const double radius = std::min(stretch.leastRadius, difference.size());
+        const Vector2 centre = valley.end - radius * valley.normal;
         const auto isOnStretch = [&](const Vector2& doubt)
         { return cross(stretch.firstNormal, doubt) >= 0 && cross(doubt, stretch.lastNormal) >= 0; };
-        start = isOnStretch(firstDoubt) ? depth * firstDoubt : Vector2(centre + stretch.leastRadius * stretch.firstNormal);
-        end = isOnStretch(lastDoubt) ? depth * lastDoubt : Vector2(centre + stretch.leastRadius * stretch.lastNormal);
+        start = isOnStretch(firstDoubt) ? depth * firstDoubt : Vector2(centre + radius * stretch.firstNormal);
+        end = isOnStretch(lastDoubt) ? depth * lastDoubt : Vector2(centre + radius * stretch.lastNormal);
     }
     // Less than half a turn from the valley to each border, or the argument does not hold.
     const bool lastSeen = cross(valley.normal, lastDoubt) > 0 && end.dot(lastDoubt) >= enough;

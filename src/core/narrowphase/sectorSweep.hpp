@@ -145,9 +145,10 @@ private:
     /// Radius of curvature that no point of the sector falls below.
     double leastRadius(const Ray& first, const Ray& last) const
     {
+        // No larger than the shapes, so that drawing a point in costs no digits.
         const double everywhere = difference_.leastRadius();
-        const double radius = first.stretch.leastRadius;
-        return std::isfinite(radius) && radius > everywhere && holds(first.stretch, last.normal) ? radius : everywhere;
+        const double radius = std::min(first.stretch.leastRadius, difference_.size());
+        return radius > everywhere && holds(first.stretch, last.normal) ? radius : everywhere;
     }
 
     /// The lowest value of the larger of n.p and n.q over the sector, p and q being the two points drawn in.

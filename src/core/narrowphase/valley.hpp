@@ -53,7 +53,7 @@ class ValleySearch
 {
 public:
     explicit ValleySearch(const Difference& difference)
-    : difference_(difference), size_(difference.size()), floor_(tolerances::supportRounding * size_)
+    : difference_(difference), size_(difference.size()), floor_(tolerances::supportRounding / 2 * size_)
     {
     }
 
@@ -187,7 +187,8 @@ private:
         const double bend = vertex.radius() - height;
         const double angle = -slope / bend;
         const Vector2 circleBottom = (1 / distance) * fromCentre;
-        const Vector2 bottom = circleBottom - radiusChange * angle * angle / (2 * bend) * perpendicular(circleBottom);
+        const double more = radiusChange * angle * angle / (2 * bend);
+        const Vector2 bottom = (1 - more * more / 2) * circleBottom - more * perpendicular(circleBottom);
         const double lowest = height - slope * slope / (distance + bend) + radiusChange * angle * angle * angle / 6;
         // A small turn along the arc: on a nearly straight side the difference of the normals has no digits left.
         const bool small = std::abs(angle) < smallTurn;
@@ -282,6 +283,7 @@ private:
 
     const Difference& difference_;
     double size_;
+    /// What is as good as nothing of a height: half of a support point's rounding.
     double floor_;
     Fence clockwise_;
     Fence counterClockwise_;
