@@ -92,9 +92,8 @@ public:
             const bool settled = 2 * std::abs(turn) <= vertex.room ? left <= floor_ : std::abs(slope) <= floor_;
             if (curved && settled)
             {
-                // The third order is a small correction, or says nothing: at a large turn (a boundary round about the
-                // origin), or a joint of unlike curves.
-                const bool small = std::abs(turn) < smallTurn && std::abs(radiusChange * turn) < smallChange * bend;
+                // The third order is a small correction, or says nothing: at a joint of unlike curves.
+                const bool small = std::abs(radiusChange * turn) < smallChange * bend;
                 return atBottom(normal, vertex, height, slope, small ? radiusChange : 0);
             }
             if (slope == 0)
@@ -104,8 +103,7 @@ public:
             }
 
             (slope < 0 ? clockwise_ : counterClockwise_) = {normal, vertex, true};
-            Vector2 next = curved ? unit(vertex.radius() * normal - vertex.difference)
-                                  : turnedDownhill(normal, slope);
+            Vector2 next = curved ? unit(vertex.radius() * normal - vertex.difference) : turnedDownhill(normal, slope);
             bool newton = curved;
             bool chord = false;
             if (clockwise_.known && counterClockwise_.known
@@ -178,26 +176,45 @@ private:
     static Valley atBottom(
         const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope, double radiusChange)
     {
+        const double bend = vertex.radius() - height;
+        const double angle = -slope / bend;
+        if (!(std::abs(angle) < smallTurn))
+        {
+            return atBottomOfCircle(normal, vertex, height, slope);
+        }
+        const double more = radiusChange * angle * angle / (2 * bend);
+        const Vector2 bottom = turnedBy(angle - more, normal);
+        const double lowest = height + angle * (slope / 2 + radiusChange * angle * angle / 6);
+        // Along the arc: on a nearly straight side the difference of the two normals has no digits left.
+        const double along = angle * vertex.radiusA;
+        const Vector2 onA = vertex.onA + along * perpendicular(normal) - along * angle / 2 * normal;
+        const Vector2 onDifference = lowest * bottom;
+        return {ValleyStatus::found, bottom, lowest, onA, onDifference, onDifference, false};
+    }
+
+    /// However far it turns: a boundary round about the origin.
+    static Valley atBottomOfCircle(const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope)
+    {
         const Vector2 fromCentre = vertex.radius() * normal - vertex.difference;
         const double distance = fromCentre.norm();
         if (!(distance > 0))
         {
             return ended(ValleyStatus::found, normal, height, vertex);
         }
-        const double bend = vertex.radius() - height;
-        const double angle = -slope / bend;
-        const Vector2 circleBottom = (1 / distance) * fromCentre;
-        const double more = radiusChange * angle * angle / (2 * bend);
-        const Vector2 bottom = (1 - more * more / 2) * circleBottom - more * perpendicular(circleBottom);
-        const double lowest = height - slope * slope / (distance + bend) + radiusChange * angle * angle * angle / 6;
-        // A small turn along the arc: on a nearly straight side the difference of the normals has no digits left.
-        const bool small = std::abs(angle) < smallTurn;
-        const double along = angle * vertex.radiusA;
-        const Vector2 onA = vertex.onA
-            + (small ? Vector2(along * perpendicular(normal) - along * angle / 2 * normal)
-                     : Vector2(vertex.radiusA * (bottom - normal)));
+        const Vector2 bottom = (1 / distance) * fromCentre;
+        const double lowest = height - slope * slope / (distance + vertex.radius() - height);
         const Vector2 onDifference = lowest * bottom;
-        return {ValleyStatus::found, bottom, lowest, onA, onDifference, onDifference, false};
+        return {
+            ValleyStatus::found, bottom, lowest, vertex.onA + vertex.radiusA * (bottom - normal), onDifference, onDifference,
+            false};
+    }
+
+    /// A unit vector turned counter-clockwise by 2 atan(angle/2), a turn of `angle` but for angle^3/12, without a root.
+    static Vector2 turnedBy(double angle, const Vector2& normal)
+    {
+        const double half = angle / 2;
+        const double scale = 2 / (1 + half * half);
+        return (scale - 1) * normal + half * scale * perpendicular(normal);
     }
 
     static Valley atSide(const DifferenceSide& side, double atStart, double atEnd, SeparatedPairs separatedPairs)
