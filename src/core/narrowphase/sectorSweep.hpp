@@ -87,7 +87,7 @@ public:
 
 private:
     /// Deep pairs settle with some twenty, the least lucky of ten million with less than half of it.
-    static constexpr std::size_t capacity = 2048;
+    static constexpr std::size_t capacity = 4096;
 
     /// A normal, its support point, and the stretch of bounded curvature that it lies on.
     struct Ray

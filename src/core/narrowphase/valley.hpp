@@ -3,6 +3,7 @@
 #include "core/base/tolerances.hpp"
 #include "core/narrowphase/minkowskiDifference.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -86,7 +87,9 @@ public:
             const double radius = vertex.radius();
             const bool onOneCurve = previousTurn != 0 && std::abs(previousTurn) <= vertex.room;
             const double radiusChange = onOneCurve ? (previousRadius - radius) / previousTurn : 0;
-            const double change = std::max(std::abs(radiusChange), radius) * turn * turn;
+            // The slope that the last step left tells that change, too.
+            const double seenChange = onOneCurve ? 2 * std::abs(slope) / (previousTurn * previousTurn) : 0;
+            const double change = std::max({std::abs(radiusChange), seenChange, radius}) * turn * turn;
             const bool known = onOneCurve && change * std::abs(previousTurn) <= tolerances::settledNormal * bend;
             const double left = known ? std::min(gain, 64 * change * std::abs(turn)) : gain;
             const bool settled = 2 * std::abs(turn) <= vertex.room ? left <= floor_ : std::abs(slope) <= floor_;

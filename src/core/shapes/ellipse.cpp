@@ -37,7 +37,7 @@ OutlineStretch Ellipse::narrowStretchAt(const Vector2& normal) const
 {
     // The point (a cos t, b sin t) has the normal along (b cos t, a sin t) and the radius of curvature
     // (a^2 sin^2 t + b^2 cos^2 t)^(3/2)/(a b), which is monotonic in each quarter.
-    constexpr double step = M_PI / 64;
+    constexpr double step = M_PI / 256;
     const double cell = std::floor(std::atan2(b_ * normal.y(), a_ * normal.x()) / step);
     const auto normalAt = [&](double t) -> Vector2 { return unit(Vector2(b_ * std::cos(t), a_ * std::sin(t))); };
     const auto radiusAt = [&](double t)
