@@ -26,8 +26,9 @@ constexpr double supportRounding = 8 * epsilon;
 /// Two unit normals count as one if the sine between them is below this: a few roundings of a turned normal.
 constexpr double sameNormal = 4 * epsilon;
 
-/// What a settled search may leave of its normal's angle [rad], to first order of what it knows: some five roundings.
-constexpr double settledNormal = 1e-15;
+/// What a settled search leaves of its normal's angle [rad], as far as two steps tell. The depth, being flat there, is
+/// settled to rounding long before; one more support call would make it 1e-16.
+constexpr double settledNormal = 1e-12;
 
 /// A contact's normal belongs to a straight side if the sine between them is below this: the solvers return a side's
 /// own normal but for some roundings, and no real outline has two sides so near to parallel.

@@ -54,7 +54,7 @@ class ValleySearch
 {
 public:
     explicit ValleySearch(const Difference& difference)
-    : difference_(difference), size_(difference.size()), floor_(tolerances::supportRounding / 2 * size_)
+    : difference_(difference), size_(difference.size()), floor_(tolerances::supportRounding / 2 * size_), unsettled_(mostToGain * size_)
     {
     }
 
@@ -80,24 +80,16 @@ public:
             const double bend = vertex.radius() - height;
             const bool curved = bend > 0 && std::isfinite(bend);
             const double turn = curved ? slope / bend : 0;
-            // What is still to gain on a circle of curvature, if the outline keeps to it; after two of Newton's steps in a
-            // row, the third-order term that the circle leaves out and the last step adds, with two digits to spare, if
-            // that step leaves no more than rounding of the normal's angle.
-            const double gain = slope * slope / (2 * std::min(bend, size_));
             const double radius = vertex.radius();
-            const bool onOneCurve = previousTurn != 0 && std::abs(previousTurn) <= vertex.room;
-            const double radiusChange = onOneCurve ? (previousRadius - radius) / previousTurn : 0;
-            // The slope that the last step left tells that change, too.
-            const double seenChange = onOneCurve ? 2 * std::abs(slope) / (previousTurn * previousTurn) : 0;
-            const double change = std::max({std::abs(radiusChange), seenChange, radius}) * turn * turn;
-            const bool known = onOneCurve && change * std::abs(previousTurn) <= tolerances::settledNormal * bend;
-            const double left = known ? std::min(gain, 64 * change * std::abs(turn)) : gain;
-            const bool settled = 2 * std::abs(turn) <= vertex.room ? left <= floor_ : std::abs(slope) <= floor_;
-            if (curved && settled)
+            if (curved && slope * slope <= unsettled_ * std::min(bend, size_))
             {
-                // The third order is a small correction, or says nothing: at a joint of unlike curves.
-                const bool small = std::abs(radiusChange * turn) < smallChange * bend;
-                return atBottom(normal, vertex, height, slope, small ? radiusChange : 0);
+                const ThirdOrder third = thirdOrder(turn, radius, previousTurn, previousRadius, vertex.room);
+                if (isSettled(slope, turn, bend, vertex.room, third))
+                {
+                    // The third order is a small correction, or says nothing: at a joint of unlike curves.
+                    const bool small = std::abs(third.radiusChange * turn) < smallChange * bend;
+                    return atBottom(normal, vertex, height, slope, small ? third.radiusChange : 0);
+                }
             }
             if (slope == 0)
             {
@@ -159,6 +151,8 @@ private:
     /// Newton takes about four from a bad guess; the chord's step, of third order in bad cases, some more.
     static constexpr int mostRounds = 40;
     static constexpr double smallTurn = 1e-4;
+    /// Over the size: the third order makes no more than this small enough.
+    static constexpr double mostToGain = 1e-7;
     static constexpr double smallChange = 1e-2;
 
     /// A normal on one side of the minimum, and its support point.
@@ -168,6 +162,49 @@ private:
         CurvedVertex<2> vertex;
         bool known = false;
     };
+
+    /// What two of Newton's steps in a row tell of the change of the radius of curvature.
+    struct ThirdOrder
+    {
+        /// Both steps are on one curve; else nothing is known.
+        bool known;
+        /// Derivative of the radius by the angle [m].
+        double radiusChange;
+        /// Largest that this derivative, by the radii or by the slope that the last step left, can be; times turn^2 [m].
+        double change;
+        double previousTurn;
+    };
+
+    static ThirdOrder thirdOrder(double turn, double radius, double previousTurn, double previousRadius, double room)
+    {
+        if (previousTurn == 0 || std::abs(previousTurn) > room)
+        {
+            return {false, 0, 0, 0};
+        }
+        const double inverse = 1 / previousTurn;
+        const double radiusChange = (previousRadius - radius) * inverse;
+        // The slope is that of this turn over (radius - height), hence at most turn radius.
+        const double seenChange = 2 * std::abs(turn) * radius * inverse * inverse;
+        return {
+            true, radiusChange, std::max({std::abs(radiusChange), seenChange, radius}) * turn * turn, std::abs(previousTurn)};
+    }
+
+    /// What is still to gain on a circle of curvature is nothing, if the outline keeps to it; or, after two of Newton's
+    /// steps in a row, the third-order term that the circle leaves out and the last step adds is, with a digit to spare,
+    /// and that step leaves hardly anything of the normal's angle.
+    bool isSettled(double slope, double turn, double bend, double room, const ThirdOrder& third) const
+    {
+        if (2 * std::abs(turn) > room)
+        {
+            return std::abs(slope) <= floor_;
+        }
+        if (slope * slope <= 2 * floor_ * std::min(bend, size_))
+        {
+            return true;
+        }
+        return third.known && third.change * third.previousTurn <= tolerances::settledNormal * bend
+            && 8 * third.change * std::abs(turn) <= floor_;
+    }
 
     static Valley ended(ValleyStatus status, const Vector2& normal, double height, const CurvedVertex<2>& vertex)
     {
@@ -305,6 +342,8 @@ private:
     double size_;
     /// What is as good as nothing of a height: half of a support point's rounding.
     double floor_;
+    /// Twice the gain above which no step is the last [m].
+    double unsettled_;
     Fence clockwise_;
     Fence counterClockwise_;
 };

@@ -251,7 +251,9 @@ void rollRound(const Shape& a, const Shape& b, double largestTurn)
         carried = warm.direction;
     }
     EXPECT_LT(worstDepth, 1e-13);
-    EXPECT_LT(worstNormal, 1e-13);
+    // The normal is as good as what the search leaves of its angle, by an estimate that a joint of the outline can
+    // put out by a digit; the depth there is flat.
+    EXPECT_LT(worstNormal, 20 * tolerances::settledNormal);
     EXPECT_LT(worstTurn, largestTurn * 2 * M_PI / steps);
     EXPECT_LT(calls, 2.5 * steps);
 }
