@@ -77,6 +77,30 @@ long double sweptDepth(const Outline& outlineA, const Outline& outlineB)
 
 } // namespace
 
+/// Pairs of the benchmark that went wrong once, each with its whole batch: CHESIL_PAIR=<number> prints one.
+TEST(RobustPairs, thoseThatFailedOnce)
+{
+    constexpr std::uint64_t benchmarkSeed = 20250307;
+    constexpr int scaleGroups = 32;
+    constexpr std::int64_t batchSize = 100;
+    const GrainPool pool(benchmarkSeed, scaleGroups);
+    const PairMaker maker(pool, benchmarkSeed);
+    Survey survey(maker, batchSize);
+    // Newton's step from one end of an ellipse to the other and back; a nearly straight side taken for a circle; joints
+    // of unlike curves; concentric and identical pairs whose height is nearly constant; a corner on a flat curve;
+    // a slender tip between two equal radii; no length between two supports.
+    for (const std::int64_t pair :
+         {46425, 93016, 38100, 77109, 65535, 7849, 95817, 3607996, 15568, 39381, 5997919, 7515, 87847, 31976, 233916})
+    {
+        survey.runBatch(pair / batchSize);
+    }
+    for (int flaw = 0; flaw < flaws; ++flaw)
+    {
+        const std::vector<Remarkable>& found = survey.remarkable(static_cast<Flaw>(flaw));
+        EXPECT_TRUE(found.empty()) << "pair " << found.front().index << ", flaw " << flaw;
+    }
+}
+
 /// A small tests/benchmarks/pairRobustness: the same classes and bounds.
 TEST(RobustPairs, allClassesColdAndWarm)
 {
