@@ -197,6 +197,15 @@ static int run(Time& runTime)
         << " grain steps a second)" << nl
         << "     " << summary.text().c_str() << nl
         << "     kinetic over contact energy " << summary.unrest() << nl;
+    if (settings.world.contactStatistics)
+    {
+        const chesil::ContactStatistics& cost = world.contactStatistics();
+        Info<< "     contact queries of grains " << scalar(cost.queries)
+            << ", in contact " << scalar(cost.contacts)
+            << ", support calls a query "
+            << scalar(cost.supportCalls)/max(scalar(cost.queries), scalar(1))
+            << ", sweeps over all directions " << scalar(cost.sweeps) << nl;
+    }
     if (world.doubtfulQueries() > 0)
     {
         Info<< "     " << label(world.doubtfulQueries())

@@ -1,7 +1,8 @@
 """Error against run time of numerical methods, from a benchmark's CSV.
 
 Columns method,knob,error,time; comments before them tell what these are, with units, as in
-"# error: relative error of the depth [-]".
+"# error: relative error of the depth [-]". "# drawing: points" is for rows that are no sweep of a knob: they are
+not joined; "# drawing: bars" shows their times alone.
 """
 
 import csv
@@ -13,6 +14,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 import style
+import timeBars
 from plotError import PlotError
 
 FLOOR = 1e-17  # where an error of exactly zero is drawn, below the rounding of doubles
@@ -67,11 +69,11 @@ def colourOf(number):
     return style.SERIES_COLOURS[number % len(style.SERIES_COLOURS)]
 
 
-def drawMethod(axes, method, points, number):
+def drawMethod(axes, method, points, number, joined):
     colour = colourOf(number)
     marker = style.SERIES_MARKERS[number % len(style.SERIES_MARKERS)]
     axes.loglog([time for time, _, _ in points], [max(error, FLOOR) for _, error, _ in points],
-                color=colour, marker=marker, label=method)
+                color=colour, marker=marker, label=method, **({} if joined else {"linestyle": "none"}))
     exact = [time for time, error, _ in points if error < FLOOR]
     axes.plot(exact, [FLOOR] * len(exact), linestyle="none", marker=marker, color=colour, markerfacecolor="white")
     return bool(exact)
@@ -87,8 +89,15 @@ def labelShortAxis(axis, low, high):
 
 def draw(options):
     comments, methods = readBenchmark(options.file)
+    drawing = comments.get("drawing", "lines")
+    if drawing == "bars":
+        return timeBars.draw(comments, methods)
+    if drawing not in ("lines", "points"):
+        raise PlotError(f"{options.file}: drawing {drawing}; known: lines, points, bars")
+    joined = drawing == "lines"
     figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
-    anyExact = [drawMethod(axes, method, points, number) for number, (method, points) in enumerate(methods.items())]
+    anyExact = [drawMethod(axes, method, points, number, joined)
+                for number, (method, points) in enumerate(methods.items())]
 
     axes.grid(True, which="major")
     axes.set_axisbelow(True)
@@ -97,7 +106,8 @@ def draw(options):
     labelShortAxis(axes.yaxis, *axes.get_ylim())
     axes.set_xlabel(comments.get("time", "time"))
     axes.set_ylabel(comments.get("error", "error"))
-    notes = [f"numbers: {comments['knob']}"] if "knob" in comments else []
+    note = "numbers" if joined else "a point for each of"
+    notes = [f"{note}: {comments['knob']}"] if "knob" in comments else []
     notes += [f"hollow: error 0, drawn at {FLOOR:g}"] if any(anyExact) else []
     axes.annotate("; ".join(notes), (0, 1), xycoords="axes fraction", xytext=(0, 6), textcoords="offset points",
                   fontsize=7.5, color=style.FAINT_INK)
@@ -106,5 +116,6 @@ def draw(options):
     columns = LEGEND_CHARACTERS // (max(map(len, methods)) + 6)
     axes.legend(loc="upper left", bbox_to_anchor=(-0.01, -0.12), ncol=max(1, columns), borderaxespad=0.2,
                 columnspacing=1.4, handletextpad=0.5)
-    annotateKnobs(axes, methods)
+    if joined:
+        annotateKnobs(axes, methods)
     return figure

@@ -24,7 +24,7 @@ bool isDeepest(const Difference& difference, const Valley& valley)
     {
         return true;
     }
-    const double enough = depth - tolerances::supportRounding * difference.size();
+    const double enough = depth - tolerances::supportRounding / 2 * difference.size();
     const double distance = difference.centreToCentre().norm();
     const double reach = difference.innerRadius() - depth;
     if (distance <= reach)

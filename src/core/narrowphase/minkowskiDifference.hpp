@@ -148,7 +148,7 @@ public:
         return false;
     }
 
-    void countFallBack() const { Cost::countFallBack(); }
+    void countSweep() const { Cost::countSweep(); }
 
 private:
     CurvedPoint<Dim> curvedOnA(const Vector<Dim>& normal) const

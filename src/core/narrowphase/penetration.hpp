@@ -82,7 +82,7 @@ Penetration<2> penetration(const Difference& difference, const Vector2& normal)
         return penetrationIn(valley);
     }
 
-    difference.countFallBack();
+    difference.countSweep();
     const SweptValley swept = SectorSweep<Difference>(difference, valley).run();
     if (swept.status == SweepStatus::notFinite)
     {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace chesil
@@ -48,46 +49,39 @@ public:
     SweptValley run()
     {
         const Vector2 first = best_.normal;
-        const std::array<Vector2, 4> normals{first, perpendicular(first), -first, -perpendicular(first)};
-        std::array<Ray, 4> rays;
-        for (std::size_t i = 0; i < 4; ++i)
+        for (const Vector2& normal : {first, perpendicular(first), Vector2(-first), Vector2(-perpendicular(first))})
         {
-            if (!look(normals[i], rays[i]))
+            if (!look(normal))
             {
                 return {ended_, best_};
             }
         }
-        for (std::size_t i = 0; i < 4; ++i)
+        for (std::int32_t i = 0; i < 4; ++i)
         {
-            add(rays[i], rays[(i + 1) % 4]);
+            push(boundedSector(i, (i + 1) % 4));
         }
-        while (true)
+        while (sectors_[0].bound < best_.height - floor_)
         {
-            const auto lowest = std::min_element(
-                sectors_.begin(), sectors_.begin() + static_cast<std::ptrdiff_t>(count_),
-                [](const Sector& a, const Sector& b) { return a.bound < b.bound; });
-            if (lowest->bound >= best_.height - floor_)
-            {
-                return {SweepStatus::proved, best_};
-            }
-            if (count_ == capacity)
+            if (rayCount_ == capacity)
             {
                 return {SweepStatus::capacityReached, best_};
             }
-            const Sector sector = *lowest;
-            Ray middle;
-            if (!look(sector.lowestNormal, middle))
+            const Sector lowest = pop();
+            const std::int32_t middle = rayCount_;
+            if (!look(lowest.lowestNormal))
             {
                 return {ended_, best_};
             }
-            *lowest = boundedSector(sector.first, middle);
-            add(middle, sector.last);
+            push(boundedSector(lowest.first, middle));
+            push(boundedSector(middle, lowest.last));
         }
+        return {SweepStatus::proved, best_};
     }
 
 private:
-    /// Deep pairs settle with some twenty, the least lucky of ten million with less than half of it.
-    static constexpr std::size_t capacity = 4096;
+    /// Deep pairs settle with some twenty rays; the least lucky of ten million, identical and nearly round, with half of
+    /// this.
+    static constexpr std::int32_t capacity = 2048;
 
     /// A normal, its support point, and the stretch of bounded curvature that it lies on.
     struct Ray
@@ -98,18 +92,35 @@ private:
         OutlineStretch stretch;
     };
 
+    /// Between two rays.
     struct Sector
     {
-        Ray first;
-        Ray last;
         double bound;
         /// Where the bound is, strictly inside; where to split.
         Vector2 lowestNormal;
+        std::int32_t first;
+        std::int32_t last;
     };
+
+    static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+    static bool isHigher(const Sector& a, const Sector& b) { return a.bound > b.bound; }
+
+    void push(const Sector& sector)
+    {
+        sectors_[index(sectorCount_++)] = sector;
+        std::push_heap(sectors_.begin(), sectors_.begin() + sectorCount_, isHigher);
+    }
+
+    Sector pop()
+    {
+        std::pop_heap(sectors_.begin(), sectors_.begin() + sectorCount_, isHigher);
+        return sectors_[index(--sectorCount_)];
+    }
 
     /// Asks for the support point along a normal and follows it down if it is the least height so far. False if that ends
     /// the sweep.
-    bool look(const Vector2& normal, Ray& ray)
+    bool look(const Vector2& normal)
     {
         const CurvedVertex<2> vertex = difference_.curvedSupport(normal);
         const double height = normal.dot(vertex.difference);
@@ -118,7 +129,7 @@ private:
             ended_ = SweepStatus::notFinite;
             return false;
         }
-        ray = {normal, vertex.difference, height, difference_.narrowStretchAt(normal)};
+        rays_[index(rayCount_++)] = {normal, vertex.difference, height, difference_.narrowStretchAt(normal)};
         if (height < best_.height - floor_)
         {
             ValleySearch<Difference> search(difference_);
@@ -135,8 +146,6 @@ private:
         return true;
     }
 
-    void add(const Ray& first, const Ray& last) { sectors_[count_++] = boundedSector(first, last); }
-
     static bool holds(const OutlineStretch& stretch, const Vector2& normal)
     {
         return stretch.whole || (cross(stretch.firstNormal, normal) >= 0 && cross(normal, stretch.lastNormal) >= 0);
@@ -152,20 +161,21 @@ private:
     }
 
     /// The lowest value of the larger of n.p and n.q over the sector, p and q being the two points drawn in.
-    Sector boundedSector(const Ray& first, const Ray& last) const
+    Sector boundedSector(std::int32_t from, std::int32_t to) const
     {
+        const Ray& first = rays_[index(from)];
+        const Ray& last = rays_[index(to)];
         const double radius = leastRadius(first, last);
         const Vector2 p = first.vertex - radius * first.normal;
         const Vector2 q = last.vertex - radius * last.normal;
-        Sector sector{first, last, std::min(first.height, last.height), unit(first.normal + last.normal)};
+        Sector sector{std::min(first.height, last.height), unit(first.normal + last.normal), from, to};
         const auto tryNormal = [&](const Vector2& direction)
         {
-            const double length = direction.norm();
-            if (!(length > 0))
+            if (!(cross(first.normal, direction) > 0) || !(cross(direction, last.normal) > 0))
             {
                 return;
             }
-            const Vector2 normal = direction / length;
+            const Vector2 normal = unit(direction);
             if (cross(first.normal, normal) > tolerances::sameNormal && cross(normal, last.normal) > tolerances::sameNormal)
             {
                 const double height = std::max(normal.dot(p), normal.dot(q)) + radius;
@@ -188,8 +198,11 @@ private:
     double floor_;
     Valley best_;
     SweepStatus ended_ = SweepStatus::proved;
+    std::array<Ray, capacity> rays_;
+    std::int32_t rayCount_ = 0;
+    /// A heap, the lowest bound first. As many as rays.
     std::array<Sector, capacity> sectors_;
-    std::size_t count_ = 0;
+    std::int32_t sectorCount_ = 0;
 };
 
 } // namespace chesil

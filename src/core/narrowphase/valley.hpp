@@ -83,7 +83,7 @@ public:
             const double radius = vertex.radius();
             if (curved && slope * slope <= unsettled_ * std::min(bend, size_))
             {
-                const ThirdOrder third = thirdOrder(turn, radius, previousTurn, previousRadius, vertex.room);
+                const ThirdOrder third = thirdOrder(slope, turn, radius, previousTurn, previousRadius, vertex.room);
                 if (isSettled(slope, turn, bend, vertex.room, third))
                 {
                     // The third order is a small correction, or says nothing: at a joint of unlike curves.
@@ -148,11 +148,13 @@ public:
     }
 
 private:
-    /// Newton takes about four from a bad guess; the chord's step, of third order in bad cases, some more.
+    /// Newton takes about four from a bad guess; the chord wins a factor of four a round, of the 2^50 that there are.
     static constexpr int mostRounds = 40;
+    /// A turn [rad] whose fourth order is below rounding.
     static constexpr double smallTurn = 1e-4;
-    /// Over the size: the third order makes no more than this small enough.
+    /// Twice a gain over the size beyond which the third order never settles a search, so that it need not be looked at.
     static constexpr double mostToGain = 1e-7;
+    /// The third order over the second beyond which it is no correction.
     static constexpr double smallChange = 1e-2;
 
     /// A normal on one side of the minimum, and its support point.
@@ -175,7 +177,8 @@ private:
         double previousTurn;
     };
 
-    static ThirdOrder thirdOrder(double turn, double radius, double previousTurn, double previousRadius, double room)
+    static ThirdOrder thirdOrder(
+        double slope, double turn, double radius, double previousTurn, double previousRadius, double room)
     {
         if (previousTurn == 0 || std::abs(previousTurn) > room)
         {
@@ -183,8 +186,8 @@ private:
         }
         const double inverse = 1 / previousTurn;
         const double radiusChange = (previousRadius - radius) * inverse;
-        // The slope is that of this turn over (radius - height), hence at most turn radius.
-        const double seenChange = 2 * std::abs(turn) * radius * inverse * inverse;
+        // h' after the last step is radiusChange previousTurn^2/2.
+        const double seenChange = 2 * std::abs(slope) * inverse * inverse;
         return {
             true, radiusChange, std::max({std::abs(radiusChange), seenChange, radius}) * turn * turn, std::abs(previousTurn)};
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace chesil
 {
@@ -39,15 +40,15 @@ OutlineStretch Ellipse::narrowStretchAt(const Vector2& normal) const
     // (a^2 sin^2 t + b^2 cos^2 t)^(3/2)/(a b), which is monotonic in each quarter.
     constexpr double step = M_PI / 256;
     const double cell = std::floor(std::atan2(b_ * normal.y(), a_ * normal.x()) / step);
-    const auto normalAt = [&](double t) -> Vector2 { return unit(Vector2(b_ * std::cos(t), a_ * std::sin(t))); };
-    const auto radiusAt = [&](double t)
+    const auto endAt = [&](double t)
     {
-        const double stretch = std::hypot(a_ * std::sin(t), b_ * std::cos(t));
-        return stretch / a_ * (stretch / b_) * stretch;
+        const Vector2 along(b_ * std::cos(t), a_ * std::sin(t));
+        const double stretch = along.norm();
+        return std::make_pair(Vector2(along / stretch), stretch / a_ * (stretch / b_) * stretch);
     };
-    const double from = cell * step;
-    const double to = (cell + 1) * step;
-    return {std::min(radiusAt(from), radiusAt(to)), false, normalAt(from), normalAt(to)};
+    const auto [first, radiusAtFirst] = endAt(cell * step);
+    const auto [last, radiusAtLast] = endAt((cell + 1) * step);
+    return {std::min(radiusAtFirst, radiusAtLast), false, first, last};
 }
 
 MassProperties Ellipse::massProperties() const

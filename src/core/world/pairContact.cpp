@@ -25,7 +25,7 @@ VertexLoop loopOf(const Circle& circle)
 template <class ShapeType>
 constexpr bool isLoop = std::is_same_v<ShapeType, Circle> || std::is_same_v<ShapeType, ConvexPolygon>;
 
-/// Pairs with a formula, relative to A's centroid. `difference` is of bounding circles that overlap.
+/// By axes, by valley or by expansion, whichever the two shapes allow; their bounding circles overlap.
 template <class ShapeA, class ShapeB, class Difference>
 Penetration<2> search(
     const ShapeA& a, const Pose<2>& poseA, const ShapeB& b, const Pose<2>& poseB, const Difference& difference, const Vector2& direction)

@@ -234,11 +234,8 @@ void World::resolve(std::size_t index, double timeStep)
     if (second && areFlat(contact, found, places))
     {
         // The one corner of a tilted side is the same contact, whichever end of the other shape it is.
-        if (contact.depth > 0 && !(second->depth > 0) && !(places[0].depth > 0))
-        {
-            std::swap(contact.spring, second->spring);
-        }
-        else if (second->depth > 0 && !(contact.depth > 0) && !(places[1].depth > 0))
+        const bool first = contact.depth > 0;
+        if (first != (second->depth > 0) && !(places[first ? 0 : 1].depth > 0))
         {
             std::swap(contact.spring, second->spring);
         }
@@ -286,14 +283,30 @@ bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, 
 
 bool World::touchesGrain(Contact<2>& contact, ContactGeometry<2>& found)
 {
-    const auto i = static_cast<std::size_t>(contact.first);
-    const auto j = static_cast<std::size_t>(contact.second);
-    const PairStatus status = pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, found);
+    const PairStatus status = queryGrains(contact, found);
     if (status == PairStatus::undecided || status == PairStatus::coarse)
     {
         ++doubtfulQueries_;
     }
     return status == PairStatus::overlapping || status == PairStatus::coarse;
+}
+
+PairStatus World::queryGrains(Contact<2>& contact, ContactGeometry<2>& found)
+{
+    const auto i = static_cast<std::size_t>(contact.first);
+    const auto j = static_cast<std::size_t>(contact.second);
+    if (!settings_.contactStatistics)
+    {
+        return pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, found);
+    }
+    QueryCost cost;
+    const PairStatus status =
+        pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, found, cost);
+    ++contactStatistics_.queries;
+    contactStatistics_.contacts += status == PairStatus::overlapping || status == PairStatus::coarse;
+    contactStatistics_.supportCalls += static_cast<std::size_t>(cost.supportCalls);
+    contactStatistics_.sweeps += cost.swept;
+    return status;
 }
 
 bool World::touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const

@@ -4,6 +4,7 @@
 #include "core/contact/contact.hpp"
 #include "core/contact/contactGeometry.hpp"
 #include "core/dynamics/bodies.hpp"
+#include "core/world/pairContact.hpp"
 #include "core/world/worldSettings.hpp"
 
 #include <array>
@@ -18,6 +19,18 @@ enum class StepStatus
     done,
     /// A grain's position or velocity is no longer a finite number; `World::brokenGrain` tells which.
     notFinite,
+};
+
+/// What the contact queries of grain pairs have cost since the start.
+struct ContactStatistics
+{
+    std::size_t queries = 0;
+    /// Of these, ended in a contact.
+    std::size_t contacts = 0;
+    /// Support points of A - B (QueryCost).
+    std::size_t supportCalls = 0;
+    /// Of the queries, decided by a sweep over all directions.
+    std::size_t sweeps = 0;
 };
 
 /// Grains, walls and contacts, and the step that moves them. One owner, no global state; the same settings give
@@ -71,6 +84,9 @@ public:
     /// How often since the start a pair query ended without the full answer: see PairStatus.
     std::size_t doubtfulQueries() const { return doubtfulQueries_; }
 
+    /// Zeros unless WorldSettings::contactStatistics asks for them.
+    const ContactStatistics& contactStatistics() const { return contactStatistics_; }
+
 private:
     void updateForces(double timeStep);
     void updateNeighbours();
@@ -82,6 +98,7 @@ private:
     bool isStraightSided(std::size_t grain) const { return straightSided_[static_cast<std::size_t>(bodies_.shape[grain])]; }
     void resolve(std::size_t index, double timeStep);
     bool touchesGrain(Contact<2>& contact, ContactGeometry<2>& found);
+    PairStatus queryGrains(Contact<2>& contact, ContactGeometry<2>& found);
     bool touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const;
     bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
     void load(Contact<2>& contact, const ContactGeometry<2>& geometry, double timeStep);
@@ -104,6 +121,7 @@ private:
     std::vector<Contact<2>> lastContacts_;
     std::size_t brokenGrain_ = 0;
     std::size_t doubtfulQueries_ = 0;
+    ContactStatistics contactStatistics_;
 };
 
 } // namespace chesil

@@ -34,6 +34,8 @@ struct WorldSettings
     LinearLaw contact;
     /// Share of local non-viscous damping, 0 <= share < 1.
     double localDamping = 0;
+    /// Count what contact queries cost: World::contactStatistics().
+    bool contactStatistics = false;
 };
 
 } // namespace chesil

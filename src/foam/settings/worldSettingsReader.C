@@ -28,7 +28,7 @@ using Foam::scalar;
 const std::vector<std::string> knownNames
 {
     "gravity", "material", "contact", "damping", "walls", "shapes", "grains",
-    "timeStep", "stopAtRest", "fluid", "variables"
+    "timeStep", "stopAtRest", "contactStatistics", "fluid", "variables"
 };
 
 chesil::LinearLaw readContact(const dictionary& dict)
@@ -245,6 +245,7 @@ Foam::caseSettings Foam::readCase
         world.localDamping =
             damping.numberIn("local", 0, 1 - SMALL, "a number in [0, 1)");
     }
+    world.contactStatistics = entries.flag("contactStatistics", false);
     if (entries.found("walls"))
     {
         world.walls = readWalls(entries.subDict("walls"));

@@ -2,7 +2,8 @@
 /// or none, or on the depth? Each pair is asked cold and, moved a little, warm; the reference is
 /// unit/preciseDepth.hpp.
 ///
-/// CHESIL_PAIRS=100000 for a short trial; CHESIL_PAIR=1234 prints all of one pair instead; CHESIL_THREADS.
+/// CHESIL_PAIRS=100000 for a short trial; CHESIL_PAIR=1234 prints all of one pair instead; CHESIL_SEED for
+/// other pairs; CHESIL_THREADS.
 
 #include "benchmarks/common/benchmark.hpp"
 #include "benchmarks/pairRobustness/printPair.hpp"
@@ -21,7 +22,6 @@ using namespace chesil::benchmark;
 namespace
 {
 
-constexpr std::uint64_t seed = 20250307;
 constexpr int batchSize = 100;
 constexpr int scaleGroups = 32;
 constexpr std::int64_t allPairs = 10000000;
@@ -31,6 +31,9 @@ std::int64_t numberFrom(const char* variable, std::int64_t otherwise)
     const char* given = std::getenv(variable);
     return given ? std::atoll(given) : otherwise;
 }
+
+/// Another one is a trial on pairs that no one has seen yet.
+const auto seed = static_cast<std::uint64_t>(numberFrom("CHESIL_SEED", 20250307));
 
 /// A line now and then: done, time left.
 class Progress
@@ -214,6 +217,7 @@ Results resultsOf(const Survey& survey, std::int64_t pairs)
         {"error", "largest error of the depth over the larger bounding radius [-]"},
         {"time", "time of a query, mean of cold and warm [ns]"},
         {"knob", "types of the two shapes"},
+        {"drawing", "points"},
         {"pairs", text("%lld, half of them well-scaled", static_cast<long long>(pairs))},
         {"reference", "least height over all directions in long double, within 1e-17 of the sizes"},
         {"seed", std::to_string(seed)},

@@ -59,7 +59,7 @@ inline void writeHistograms(const std::string& path, const std::vector<PairCalls
                     ofPaper(counter.paperSeparate).c_str(), means[1], ofPaper(counter.paperContact).c_str());
     }
     const auto count = [&](auto flag) { return std::count_if(all.begin(), all.end(), flag); };
-    std::printf("      engine's fall-backs to GJK and EPA: %td cold, %td warm\n",
+    std::printf("      engine's sweeps over all directions: %td cold, %td warm\n",
                 count([](const PairCalls& pair) { return pair.coldFellBack; }),
                 count([](const PairCalls& pair) { return pair.warmFellBack; }));
     double largest = 0;

@@ -79,8 +79,8 @@ inline PairCalls countCalls(const NearPair& pair)
     const EngineAnswer warm = askEngine(*pair.a, pair.poseA, *pair.b, pair.poseB, direction);
     calls.engineCold = cold.cost.supportCalls;
     calls.engineWarm = warm.cost.supportCalls;
-    calls.coldFellBack = cold.cost.fellBack;
-    calls.warmFellBack = warm.cost.fellBack;
+    calls.coldFellBack = cold.cost.swept;
+    calls.warmFellBack = warm.cost.swept;
     calls.depthDifference =
         std::max(std::abs(cold.depth - depth), std::abs(warm.depth - depth)) / pair.size();
     return calls;

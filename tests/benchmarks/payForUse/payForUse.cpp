@@ -19,10 +19,11 @@ constexpr int stepsToSettle = 16000;
 constexpr int stepsAtATime = 40;
 constexpr int rounds = 60;
 
-/// Support calls of A - B if all near pairs of the world are looked at once more.
-long supportCallsOf(const World& world, long& pairs)
+/// Asks once more for the contact of every near pair of grains, counted if a cost is handed over.
+template <class Look, class... Cost>
+void askAll(const World& world, const Look& look, Cost&... cost)
 {
-    long calls = 0;
+    const std::vector<Pose<2>>& pose = world.bodies().pose;
     for (const Contact<2>& contact : world.contacts())
     {
         if (contact.withWall() || contact.place == 1)
@@ -31,15 +32,20 @@ long supportCallsOf(const World& world, long& pairs)
         }
         const auto i = static_cast<std::size_t>(contact.first);
         const auto j = static_cast<std::size_t>(contact.second);
-        const std::vector<Pose<2>>& pose = world.bodies().pose;
         Vector2 direction = contact.normal;
         ContactGeometry<2> geometry;
-        QueryCost cost;
-        pairContact(world.shapeOf(i), pose[i], world.shapeOf(j), pose[j], direction, geometry, cost);
-        calls += cost.supportCalls;
-        ++pairs;
+        geometry.depth = 0;
+        pairContact(world.shapeOf(i), pose[i], world.shapeOf(j), pose[j], direction, geometry, cost...);
+        look(geometry);
     }
-    return calls;
+}
+
+/// Support calls of A - B if all near pairs of the world are looked at once more.
+long supportCallsOf(const World& world, long& pairs)
+{
+    QueryCost cost;
+    askAll(world, [&](const ContactGeometry<2>&) { ++pairs; }, cost);
+    return cost.supportCalls;
 }
 
 /// Over many moments of a bed that falls and settles, and of a gas.
@@ -134,21 +140,7 @@ template <class... Cost>
 double depthsOf(const World& world, Cost&... cost)
 {
     double sum = 0;
-    for (const Contact<2>& contact : world.contacts())
-    {
-        if (contact.withWall() || contact.place == 1)
-        {
-            continue;
-        }
-        const auto i = static_cast<std::size_t>(contact.first);
-        const auto j = static_cast<std::size_t>(contact.second);
-        const std::vector<Pose<2>>& pose = world.bodies().pose;
-        Vector2 direction = contact.normal;
-        ContactGeometry<2> geometry;
-        geometry.depth = 0;
-        pairContact(world.shapeOf(i), pose[i], world.shapeOf(j), pose[j], direction, geometry, cost...);
-        sum += geometry.depth;
-    }
+    askAll(world, [&](const ContactGeometry<2>& geometry) { sum += geometry.depth; }, cost...);
     return sum;
 }
 
@@ -212,6 +204,7 @@ Results measure()
         {"error", "distance from the first row's state [mean radii]"},
         {"time", "CPU time [ns] a grain and step"},
         {"knob", "number of grains"},
+        {"drawing", "bars"},
         {"seed", std::to_string(sceneSeed)},
     };
     countSearches(results);

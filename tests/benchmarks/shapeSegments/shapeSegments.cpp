@@ -4,7 +4,6 @@
 #include "benchmarks/common/benchmark.hpp"
 #include "benchmarks/common/overlappingPoses.hpp"
 #include "benchmarks/shapeSegments/wavyReference.hpp"
-#include "core/base/tolerances.hpp"
 #include "core/world/pairContact.hpp"
 #include "generate/fit/smoothOutline.hpp"
 
@@ -162,13 +161,12 @@ Results measure()
     results.comments = {
         {"title", "Segments against sides: smooth irregular grains"},
         {"error", "area of the symmetric difference over the area [-]"},
-        {"time", "time of a contact query, GJK and EPA [ns]"},
+        {"time", "time of a contact query [ns]"},
         {"knob", "segments or sides"},
         {"grains", text("%d smooth ones, support function 1 + waves 2..5 of random size and phase, seed %llu",
                         grainCount, static_cast<unsigned long long>(seed))},
         {"contacts",
          text("%d random pairs, depth 1e-4..1e-2 of the size, sought along last step's normal", pairCount)},
-        {"epa", text("tolerance %g", tolerances::expandingPolytope)},
         {"median", text("of the grains for the error, of %d rounds for the CPU time", rounds)},
     };
     std::printf("    %-24s  pieces     error      ns\n", "method");

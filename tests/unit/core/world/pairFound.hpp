@@ -4,6 +4,7 @@
 #include "core/world/pairContact.hpp"
 #include "core/world/pairDistance.hpp"
 #include "unit/core/world/precisePair.hpp"
+#include "unit/randomGrain.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,19 @@
 /// What pairContact and pairDistance say of a pair, and what they promise.
 namespace chesil::test
 {
+
+/// A random grain: a disk, an ellipse, a polygon or a polybezier for kind 0 to 3; about 1 m wide.
+inline Shape grainOfKind(int kind, RandomSource& random)
+{
+    RandomGrainOptions options;
+    options.straight = random.integer(0, 2);
+    options.nearlyStraight = random.integer(0, 1);
+    const double a = random.uniform(0.5, 1.5);
+    return kind == 0 ? Shape(Circle(a))
+        : kind == 1  ? Shape(Ellipse(a, random.uniform(0.3, 1.5)))
+        : kind == 2  ? Shape(randomPolygon(random.integer(3, 9), 1, random))
+                     : Shape(randomPolyBezier(options, random));
+}
 
 struct PairFound
 {

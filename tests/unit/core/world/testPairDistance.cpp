@@ -20,18 +20,6 @@ namespace
 
 constexpr double epsilon = tolerances::epsilon;
 
-Shape grainOfKind(int kind, test::RandomSource& random)
-{
-    test::RandomGrainOptions options;
-    options.straight = random.integer(0, 2);
-    options.nearlyStraight = random.integer(0, 1);
-    const double a = random.uniform(0.5, 1.5);
-    return kind == 0 ? Shape(Circle(a))
-        : kind == 1  ? Shape(Ellipse(a, random.uniform(0.3, 1.5)))
-        : kind == 2  ? Shape(test::randomPolygon(random.integer(3, 9), 1, random))
-                     : Shape(test::randomPolyBezier(options, random));
-}
-
 GjkDistance<2> byGjk(const Shape& a, const Pose<2>& poseA, const Shape& b, const Pose<2>& poseB)
 {
     return std::visit(
@@ -131,8 +119,8 @@ TEST(PairDistance, witnessesOfAllKindsLieOnTheOutlines)
     test::RandomSource random(734);
     for (int i = 0; i < 320; ++i)
     {
-        const Shape a = grainOfKind(i % 4, random);
-        const Shape b = grainOfKind(i / 4 % 4, random);
+        const Shape a = test::grainOfKind(i % 4, random);
+        const Shape b = test::grainOfKind(i / 4 % 4, random);
         const Pose<2> poseA = random.pose(1);
         Pose<2> poseB = random.pose(4);
         if (i % 3 == 0)
@@ -154,8 +142,8 @@ TEST(PairDistance, gjkAgreesToItsTolerance)
     int apart = 0;
     for (int i = 0; i < 4000; ++i)
     {
-        const Shape a = grainOfKind(i % 4, random);
-        const Shape b = grainOfKind(i / 4 % 4, random);
+        const Shape a = test::grainOfKind(i % 4, random);
+        const Shape b = test::grainOfKind(i / 4 % 4, random);
         const Pose<2> poseA = random.pose(1);
         const Pose<2> poseB = random.pose(4);
         const PairFound found = findPair(a, poseA, b, poseB);
@@ -185,8 +173,8 @@ TEST(PairDistance, farPairs)
     test::RandomSource random(736);
     for (int i = 0; i < 160; ++i)
     {
-        const Shape a = grainOfKind(i % 4, random);
-        const Shape b = grainOfKind(i / 4 % 4, random);
+        const Shape a = test::grainOfKind(i % 4, random);
+        const Shape b = test::grainOfKind(i / 4 % 4, random);
         const Pose<2> poseA = random.pose(1);
         const double far = i % 2 == 0 ? 1e6 : 1e3;
         const Pose<2> poseB{poseA.position + far * random.direction(), random.pose(1).rotation};
@@ -210,8 +198,8 @@ TEST(PairDistance, aDirectionToStartFromChangesNothing)
     test::RandomSource random(737);
     for (int i = 0; i < 2000; ++i)
     {
-        const Shape a = grainOfKind(i % 4, random);
-        const Shape b = grainOfKind(i / 4 % 4, random);
+        const Shape a = test::grainOfKind(i % 4, random);
+        const Shape b = test::grainOfKind(i / 4 % 4, random);
         const Pose<2> poseA = random.pose(1);
         const Pose<2> poseB = random.pose(4);
         SCOPED_TRACE("pair " + std::to_string(i) + ", kinds " + std::to_string(a.index()) + ' ' + std::to_string(b.index()));

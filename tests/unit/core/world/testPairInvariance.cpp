@@ -54,18 +54,6 @@ struct Pair
     Pose<2> poseB;
 };
 
-Shape grainOfKind(int kind, test::RandomSource& random)
-{
-    test::RandomGrainOptions options;
-    options.straight = random.integer(0, 2);
-    options.nearlyStraight = random.integer(0, 1);
-    const double a = random.uniform(0.5, 1.5);
-    return kind == 0 ? Shape(Circle(a))
-        : kind == 1  ? Shape(Ellipse(a, random.uniform(0.3, 1.5)))
-        : kind == 2  ? Shape(test::randomPolygon(random.integer(3, 9), 1, random))
-                     : Shape(test::randomPolyBezier(options, random));
-}
-
 /// All kinds, overlapping or not.
 std::vector<Pair> somePairs(std::uint64_t seed, int count = 400)
 {
@@ -73,8 +61,8 @@ std::vector<Pair> somePairs(std::uint64_t seed, int count = 400)
     std::vector<Pair> pairs;
     for (int i = 0; i < count; ++i)
     {
-        const Shape a = grainOfKind(i % 4, random);
-        const Shape b = grainOfKind(i / 4 % 4, random);
+        const Shape a = test::grainOfKind(i % 4, random);
+        const Shape b = test::grainOfKind(i / 4 % 4, random);
         const Pose<2> poseA = random.pose(1);
         Pose<2> poseB = random.pose(1.5);
         if (i % 2 == 0)
@@ -286,8 +274,8 @@ TEST(PairInvariance, notANumberHasAStatus)
     {
         for (int kindB = 0; kindB < 4; ++kindB)
         {
-            const Shape a = grainOfKind(kindA, random);
-            const Shape b = grainOfKind(kindB, random);
+            const Shape a = test::grainOfKind(kindA, random);
+            const Shape b = test::grainOfKind(kindB, random);
             SCOPED_TRACE(std::to_string(kindA) + ' ' + std::to_string(kindB));
             const bool turnsMatter = kindA > 0 || kindB > 0;
             for (const double bad : {nan, infinite, -infinite})
@@ -326,8 +314,8 @@ TEST(PairInvariance, zeroesHaveAnAnswer)
     {
         for (int kindB = 0; kindB < 4; ++kindB)
         {
-            const Shape a = grainOfKind(kindA, random);
-            const Shape b = grainOfKind(kindB, random);
+            const Shape a = test::grainOfKind(kindA, random);
+            const Shape b = test::grainOfKind(kindB, random);
             SCOPED_TRACE(std::to_string(kindA) + ' ' + std::to_string(kindB));
             const PairFound found = findPair(a, b, {0, 0});
             expectDepth(found, -static_cast<double>(test::preciseDistance(a, Pose<2>{}, b, Pose<2>{})));
