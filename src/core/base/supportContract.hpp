@@ -44,8 +44,9 @@ struct StraightSide
 /// asks beyond that (a shape without it is left to GJK and EPA):
 ///
 /// - curvedSupport(normal): CurvedPoint for a unit normal;
-/// - stretchAt(normal): an OutlineStretch that holds this normal, rather wide than tight;
-/// - narrowStretchAt(normal): the same, rather tight than wide;
+/// - stretchAt(normal): an OutlineStretch that holds this normal;
+/// - leastRadiusBetween(first, last): lower bound of the radius of curvature [m] between two normals, last less than half
+///   a turn counter-clockwise of first; the tighter, the fewer splits a sweep over all directions takes;
 /// - leastRadius(): lower bound of the radius of curvature of the whole outline [m], 0 if there are corners;
 /// - innerRadius(): lower bound of the distance of the outline from the origin [m];
 /// - mayHaveStraightSides, and if true hasStraightSides(); straightSideFacing(normal): pointer to the one whose

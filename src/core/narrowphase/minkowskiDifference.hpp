@@ -85,12 +85,26 @@ public:
     /// The stretch of the set's boundary around a unit normal on which both shapes' bounds hold; world axes.
     OutlineStretch stretchAt(const Vector2& normal) const
     {
-        return common(a_.stretchAt(rotationA_.applyInverse(normal)), b_.stretchAt(rotationB_.applyInverse(-normal)));
+        const OutlineStretch a = turned(a_.stretchAt(rotationA_.applyInverse(normal)), rotationA_, 1);
+        const OutlineStretch b = turned(b_.stretchAt(rotationB_.applyInverse(-normal)), rotationB_, -1);
+        const double radius = a.leastRadius + b.leastRadius;
+        if (a.whole || b.whole)
+        {
+            const OutlineStretch& narrow = a.whole ? b : a;
+            return {radius, narrow.whole, narrow.firstNormal, narrow.lastNormal};
+        }
+        return {
+            radius,
+            false,
+            cross(a.firstNormal, b.firstNormal) > 0 ? b.firstNormal : a.firstNormal,
+            cross(a.lastNormal, b.lastNormal) > 0 ? a.lastNormal : b.lastNormal};
     }
 
-    OutlineStretch narrowStretchAt(const Vector2& normal) const
+    /// Lower bound of the radius of curvature of the set's boundary between two normals [m].
+    double leastRadiusBetween(const Vector2& first, const Vector2& last) const
     {
-        return common(a_.narrowStretchAt(rotationA_.applyInverse(normal)), b_.narrowStretchAt(rotationB_.applyInverse(-normal)));
+        return a_.leastRadiusBetween(rotationA_.applyInverse(first), rotationA_.applyInverse(last))
+            + b_.leastRadiusBetween(rotationB_.applyInverse(-first), rotationB_.applyInverse(-last));
     }
 
     /// A straight side of the set between two normals (as a shape's straightSideBetween), made of a side of one shape
@@ -166,23 +180,6 @@ private:
     CurvedVertex<Dim> joined(const CurvedPoint<Dim>& onA, const CurvedPoint<Dim>& onB) const
     {
         return {onA.point - onB.point - centreToCentre_, onA.point, onA.radius, onB.radius, std::min(onA.room, onB.room)};
-    }
-
-    OutlineStretch common(const OutlineStretch& localA, const OutlineStretch& localB) const
-    {
-        const OutlineStretch a = turned(localA, rotationA_, 1);
-        const OutlineStretch b = turned(localB, rotationB_, -1);
-        const double radius = a.leastRadius + b.leastRadius;
-        if (a.whole || b.whole)
-        {
-            const OutlineStretch& narrow = a.whole ? b : a;
-            return {radius, narrow.whole, narrow.firstNormal, narrow.lastNormal};
-        }
-        return {
-            radius,
-            false,
-            cross(a.firstNormal, b.firstNormal) > 0 ? b.firstNormal : a.firstNormal,
-            cross(a.lastNormal, b.lastNormal) > 0 ? a.lastNormal : b.lastNormal};
     }
 
     static OutlineStretch turned(const OutlineStretch& stretch, const Rotation<2>& rotation, double sign)

@@ -83,13 +83,12 @@ private:
     /// this.
     static constexpr std::int32_t capacity = 2048;
 
-    /// A normal, its support point, and the stretch of bounded curvature that it lies on.
+    /// A normal and its support point.
     struct Ray
     {
         Vector2 normal;
         Vector2 vertex;
         double height;
-        OutlineStretch stretch;
     };
 
     /// Between two rays.
@@ -129,7 +128,7 @@ private:
             ended_ = SweepStatus::notFinite;
             return false;
         }
-        rays_[index(rayCount_++)] = {normal, vertex.difference, height, difference_.narrowStretchAt(normal)};
+        rays_[index(rayCount_++)] = {normal, vertex.difference, height};
         if (height < best_.height - floor_)
         {
             ValleySearch<Difference> search(difference_);
@@ -146,26 +145,13 @@ private:
         return true;
     }
 
-    static bool holds(const OutlineStretch& stretch, const Vector2& normal)
-    {
-        return stretch.whole || (cross(stretch.firstNormal, normal) >= 0 && cross(normal, stretch.lastNormal) >= 0);
-    }
-
-    /// Radius of curvature that no point of the sector falls below.
-    double leastRadius(const Ray& first, const Ray& last) const
-    {
-        // No larger than the shapes, so that drawing a point in costs no digits.
-        const double everywhere = difference_.leastRadius();
-        const double radius = std::min(first.stretch.leastRadius, difference_.size());
-        return radius > everywhere && holds(first.stretch, last.normal) ? radius : everywhere;
-    }
-
     /// The lowest value of the larger of n.p and n.q over the sector, p and q being the two points drawn in.
     Sector boundedSector(std::int32_t from, std::int32_t to) const
     {
         const Ray& first = rays_[index(from)];
         const Ray& last = rays_[index(to)];
-        const double radius = leastRadius(first, last);
+        // No larger than the shapes, so that drawing a point in costs no digits.
+        const double radius = std::min(difference_.leastRadiusBetween(first.normal, last.normal), difference_.size());
         const Vector2 p = first.vertex - radius * first.normal;
         const Vector2 q = last.vertex - radius * last.normal;
         Sector sector{std::min(first.height, last.height), unit(first.normal + last.normal), from, to};

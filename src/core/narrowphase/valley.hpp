@@ -206,7 +206,7 @@ private:
             return true;
         }
         return third.known && third.change * third.previousTurn <= tolerances::settledNormal * bend
-            && 8 * third.change * std::abs(turn) <= floor_;
+            && third.change * std::abs(turn) <= floor_;
     }
 
     static Valley ended(ValleyStatus status, const Vector2& normal, double height, const CurvedVertex<2>& vertex)

@@ -31,7 +31,7 @@ public:
 
     CurvedPoint<2> curvedSupport(const Vector2& normal) const { return {radius_ * normal, radius_, std::numeric_limits<double>::infinity()}; }
     OutlineStretch stretchAt(const Vector2& normal) const { return {radius_, true, normal, normal}; }
-    OutlineStretch narrowStretchAt(const Vector2& normal) const { return stretchAt(normal); }
+    double leastRadiusBetween(const Vector2&, const Vector2&) const { return radius_; }
     double leastRadius() const { return radius_; }
     double innerRadius() const { return radius_; }
     static constexpr bool mayHaveStraightSides = false;

@@ -44,7 +44,7 @@ public:
         return {vertices_[vertex], 0, std::max(0.0, std::min(before, after))};
     }
     OutlineStretch stretchAt(const Vector2& normal) const;
-    OutlineStretch narrowStretchAt(const Vector2& normal) const { return stretchAt(normal); }
+    static double leastRadiusBetween(const Vector2&, const Vector2&) { return 0; }
     double leastRadius() const { return 0; }
     double innerRadius() const { return innerRadius_; }
     static constexpr bool mayHaveStraightSides = true;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace chesil
 {
@@ -34,21 +33,12 @@ OutlineStretch Ellipse::stretchAt(const Vector2& normal) const
     return {radius, false, opposite ? Vector2(-first) : first, opposite ? Vector2(-last) : last};
 }
 
-OutlineStretch Ellipse::narrowStretchAt(const Vector2& normal) const
+double Ellipse::leastRadiusBetween(const Vector2& first, const Vector2& last) const
 {
-    // The point (a cos t, b sin t) has the normal along (b cos t, a sin t) and the radius of curvature
-    // (a^2 sin^2 t + b^2 cos^2 t)^(3/2)/(a b), which is monotonic in each quarter.
-    constexpr double step = M_PI / 256;
-    const double cell = std::floor(std::atan2(b_ * normal.y(), a_ * normal.x()) / step);
-    const auto endAt = [&](double t)
-    {
-        const Vector2 along(b_ * std::cos(t), a_ * std::sin(t));
-        const double stretch = along.norm();
-        return std::make_pair(Vector2(along / stretch), stretch / a_ * (stretch / b_) * stretch);
-    };
-    const auto [first, radiusAtFirst] = endAt(cell * step);
-    const auto [last, radiusAtLast] = endAt((cell + 1) * step);
-    return {std::min(radiusAtFirst, radiusAtLast), false, first, last};
+    // The radius falls from the short axis to both tips of the long one: it is least at a tip, or at an end.
+    const Vector2 tip = a_ > b_ ? Vector2::UnitX() : Vector2::UnitY();
+    const auto holds = [&](const Vector2& normal) { return cross(first, normal) >= 0 && cross(normal, last) >= 0; };
+    return holds(tip) || holds(-tip) ? leastRadius() : std::min(curvedSupport(first).radius, curvedSupport(last).radius);
 }
 
 MassProperties Ellipse::massProperties() const

@@ -42,7 +42,7 @@ public:
     }
 
     OutlineStretch stretchAt(const Vector2& normal) const;
-    OutlineStretch narrowStretchAt(const Vector2& normal) const;
+    double leastRadiusBetween(const Vector2& first, const Vector2& last) const;
     double leastRadius() const { return a_ < b_ ? a_ * (a_ / b_) : b_ * (b_ / a_); }
     double innerRadius() const { return a_ < b_ ? a_ : b_; }
     static constexpr bool mayHaveStraightSides = false;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace chesil
@@ -124,21 +123,6 @@ OutlineStretch stretchOf(const CubicBezier& curve)
     return {curve.leastCurvatureRadius(), false, outwardNormal(curve.startTangent()), outwardNormal(curve.endTangent())};
 }
 
-std::vector<OutlineStretch> stretchesOf(const std::vector<CubicBezier>& curves)
-{
-    std::vector<OutlineStretch> stretches;
-    std::transform(curves.begin(), curves.end(), std::back_inserter(stretches), stretchOf);
-    return stretches;
-}
-
-std::vector<Vector2> startsOf(const std::vector<OutlineStretch>& stretches)
-{
-    std::vector<Vector2> starts;
-    std::transform(
-        stretches.begin(), stretches.end(), std::back_inserter(starts), [](const OutlineStretch& s) { return s.firstNormal; });
-    return starts;
-}
-
 bool isStraight(const OutlineStretch& stretch)
 {
     return cross(stretch.firstNormal, stretch.lastNormal) <= tolerances::sameNormal
@@ -162,7 +146,20 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
     givenCentroid_ = boundary.givenCentroid;
     mass_ = boundary.mass;
 
-    leastRadius_ = innerRadius_ = std::numeric_limits<double>::infinity();
+    innerRadius_ = std::numeric_limits<double>::infinity();
+    std::vector<Vector2> starts;
+    std::vector<Vector2> partStarts;
+    const auto addPart = [&](const OutlineStretch& part)
+    {
+        partStarts.push_back(part.firstNormal);
+        partRadii_.push_back(part.leastRadius);
+    };
+    const auto addCurve = [&](const CubicBezier& curve, const OutlineStretch& stretch)
+    {
+        curves_.push_back(curve);
+        stretches_.push_back(stretch);
+        starts.push_back(stretch.firstNormal);
+    };
     for (std::size_t i = 0; i < segments_.size(); ++i)
     {
         const CubicBezier& segment = segments_[i];
@@ -170,35 +167,45 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
         innerRadius_ = std::min(innerRadius_, nearestChord(segment));
 
         const OutlineStretch stretch = stretchOf(segment);
-        const bool straight = isStraight(stretch);
-        addCurve(segment, stretch, straight ? std::vector<OutlineStretch>{stretch} : stretchesOf(partsOf(segment)));
-        if (straight)
+        addCurve(segment, stretch);
+        if (isStraight(stretch))
         {
             straightSides_.push_back({outwardNormal(segment.end() - segment.start()), segment.start(), segment.end()});
+            addPart(stretch);
+        }
+        else
+        {
+            for (const CubicBezier& part : partsOf(segment))
+            {
+                addPart(stretchOf(part));
+            }
         }
         const Vector2 nextNormal = outwardNormal(segments_[(i + 1) % segments_.size()].startTangent());
         if (cross(stretch.lastNormal, nextNormal) > tolerances::joint)
         {
             const Vector2& corner = segment.end();
             const OutlineStretch atCorner{0, false, stretch.lastNormal, nextNormal};
-            addCurve(CubicBezier({corner, corner, corner, corner}), atCorner, {atCorner});
+            addCurve(CubicBezier({corner, corner, corner, corner}), atCorner);
+            addPart(atCorner);
         }
     }
-    for (const OutlineStretch& stretch : narrowStretches_)
-    {
-        leastRadius_ = std::min(leastRadius_, stretch.leastRadius);
-    }
     requireSize(boundingRadius_, "an outline with a bounding radius");
-    normals_ = NormalTable(startsOf(stretches_));
-    narrowNormals_ = NormalTable(startsOf(narrowStretches_));
+    leastRadius_ = *std::min_element(partRadii_.begin(), partRadii_.end());
+    normals_ = NormalTable(starts);
+    partNormals_ = NormalTable(partStarts);
 }
 
-void PolyBezier::addCurve(
-    const CubicBezier& curve, const OutlineStretch& stretch, const std::vector<OutlineStretch>& narrowStretches)
+double PolyBezier::leastRadiusBetween(const Vector2& first, const Vector2& last) const
 {
-    curves_.push_back(curve);
-    stretches_.push_back(stretch);
-    narrowStretches_.insert(narrowStretches_.end(), narrowStretches.begin(), narrowStretches.end());
+    const std::size_t end = partNormals_.find(last);
+    std::size_t part = partNormals_.find(first);
+    double least = partRadii_[part];
+    while (part != end)
+    {
+        part = part + 1 == partRadii_.size() ? 0 : part + 1;
+        least = std::min(least, partRadii_[part]);
+    }
+    return least;
 }
 
 const StraightSide* PolyBezier::straightSideFacing(const Vector2& normal) const

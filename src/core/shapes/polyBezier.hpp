@@ -57,7 +57,7 @@ public:
         return result;
     }
     OutlineStretch stretchAt(const Vector2& normal) const { return stretches_[normals_.find(normal)]; }
-    OutlineStretch narrowStretchAt(const Vector2& normal) const { return narrowStretches_[narrowNormals_.find(normal)]; }
+    double leastRadiusBetween(const Vector2& first, const Vector2& last) const;
     double leastRadius() const { return leastRadius_; }
     double innerRadius() const { return innerRadius_; }
     static constexpr bool mayHaveStraightSides = true;
@@ -69,18 +69,15 @@ public:
     Outline outline() const { return Outline(segments_.begin(), segments_.end()); }
 
 private:
-    void addCurve(
-        const CubicBezier& curve, const OutlineStretch& stretch, const std::vector<OutlineStretch>& narrowStretches);
-
     std::vector<CubicBezier> segments_;
     Vector2 givenCentroid_ = Vector2::Zero();
     /// The segments and, as curves of no length, the corners between them.
     std::vector<CubicBezier> curves_;
     std::vector<OutlineStretch> stretches_;
     NormalTable normals_;
-    /// Parts of the curves, for bounds that are nearly tight.
-    std::vector<OutlineStretch> narrowStretches_;
-    NormalTable narrowNormals_;
+    /// Least radius of curvature of each part of the curves, for bounds that are nearly tight.
+    std::vector<double> partRadii_;
+    NormalTable partNormals_;
     std::vector<StraightSide> straightSides_;
     double leastRadius_ = 0;
     double innerRadius_ = 0;
