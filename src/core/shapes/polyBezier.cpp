@@ -71,10 +71,12 @@ std::vector<Vector2> controlPolygon(const std::vector<CubicBezier>& segments)
     return vertices;
 }
 
-/// Parts that leave the curve by the square of their length only, for the bounds below.
-std::vector<CubicBezier> partsOf(const CubicBezier& segment)
+/// Parts leave the curve by the square of their length only: enough of them for distances, and for radii of curvature.
+constexpr int partsForDistance = 16;
+constexpr int partsForRadius = 8;
+
+std::vector<CubicBezier> partsOf(const CubicBezier& segment, int count)
 {
-    constexpr int count = 16;
     std::vector<CubicBezier> parts;
     for (int i = 0; i < count; ++i)
     {
@@ -88,7 +90,7 @@ std::vector<CubicBezier> partsOf(const CubicBezier& segment)
 double furthestPoint(const CubicBezier& segment)
 {
     double furthest = 0;
-    for (const CubicBezier& part : partsOf(segment))
+    for (const CubicBezier& part : partsOf(segment, partsForDistance))
     {
         for (const Vector2& point : part.controlPoints())
         {
@@ -102,7 +104,7 @@ double furthestPoint(const CubicBezier& segment)
 double nearestChord(const CubicBezier& segment)
 {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const CubicBezier& part : partsOf(segment))
+    for (const CubicBezier& part : partsOf(segment, partsForDistance))
     {
         const Vector2 chord = part.end() - part.start();
         if (chord != Vector2::Zero())
@@ -175,7 +177,7 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
         }
         else
         {
-            for (const CubicBezier& part : partsOf(segment))
+            for (const CubicBezier& part : partsOf(segment, partsForRadius))
             {
                 addPart(stretchOf(part));
             }
