@@ -8,13 +8,26 @@
 namespace chesil
 {
 
+/// Radius of curvature of an outline at a normal, with its derivatives by the normal's angle, counter-clockwise [m, m/rad,
+/// m/rad^2]. All 0 at a corner; an infinite value within a straight side, where the derivatives say nothing.
+struct CurvatureRadius
+{
+    double value = 0;
+    double first = 0;
+    double second = 0;
+
+    CurvatureRadius operator+(const CurvatureRadius& other) const
+    {
+        return {value + other.value, first + other.first, second + other.second};
+    }
+};
+
 /// A support point and how the outline bends there. The grain's frame.
 template <int Dim>
 struct CurvedPoint
 {
     Vector<Dim> point;
-    /// Radius of curvature [m]: 0 at a corner, infinite within a straight side.
-    double radius;
+    CurvatureRadius radius;
     /// How far the normal may turn either way [rad, to first order] before the outline is another curve, or a straight
     /// side; 0 says nothing.
     double room;

@@ -22,6 +22,8 @@ struct Contact
     double depth = 0;
     /// Unit, from first to second, of the last contact; without contact the direction that separated them.
     Vector<Dim> normal = Vector<Dim>::Zero();
+    /// By how much the normal turned in the last step [rad].
+    double turn = 0;
     /// Middle of the overlap [m].
     Vector<Dim> point = Vector<Dim>::Zero();
     /// Elastic tangential displacement of first against second [m].

@@ -108,14 +108,31 @@ inline CurvedPoint<2> CubicBezier::curvedSupport(const Vector2& normal) const
     const double t = supportParameterOfRises(rise0, rise1, rise2);
     const double s = 1 - t;
     const double ss = s * s, st = 2 * s * t, tt = t * t;
-    const double speed = ss * (nx * y0 - ny * x0) + st * (nx * y1 - ny * x1) + tt * (nx * y2 - ny * x2);
-    const double bend = s * (rise0 - rise1) + t * (rise1 - rise2);
-    const double radius = speed == 0 ? 0 : bend > 0 ? 1.5 * speed * speed / bend : std::numeric_limits<double>::infinity();
+    const double along0 = nx * y0 - ny * x0, along1 = nx * y1 - ny * x1, along2 = nx * y2 - ny * x2;
+    const double speed = ss * along0 + st * along1 + tt * along2;
+    const double bend0 = rise0 - rise1, bend1 = rise1 - rise2;
+    const double bend = s * bend0 + t * bend1;
+    CurvatureRadius radius;
+    if (speed != 0)
+    {
+        // doc/contactKernel.md, "The radius of curvature and its derivatives".
+        const double inverse = 1 / bend;
+        const double pace = speed * inverse;
+        const double gain = s * (along1 - along0) + t * (along2 - along1);
+        const double twist = bend1 - bend0;
+        const double jerk = along0 - 2 * along1 + along2;
+        radius.value = bend > 0 ? 1.5 * speed * pace : std::numeric_limits<double>::infinity();
+        const double square = 0.375 * pace * pace;
+        const double inner = 12 * gain - 2 * pace * twist;
+        radius.first = square * inner;
+        const double paceChange = (4 * gain - pace * twist) * inverse;
+        radius.second = square * (paceChange * (inner - pace * twist) + 8 * pace * jerk + 12 * bend);
+    }
     const double w0 = ss * s, w1 = 1.5 * st * s, w2 = 1.5 * st * t, w3 = tt * t;
     const double x = (w0 * points_[0].x() + w1 * points_[1].x()) + (w2 * points_[2].x() + w3 * points_[3].x());
     const double y = (w0 * points_[0].y() + w1 * points_[1].y()) + (w2 * points_[2].y() + w3 * points_[3].y());
     // The curve's end is the arc 3 u min(t, s) away, to first order.
-    const double room = radius > 0 ? 3 * std::abs(speed) * std::min(t, s) / radius : 0;
+    const double room = radius.value > 0 ? 3 * std::abs(speed) * std::min(t, s) / radius.value : 0;
     return {Vector2(x, y), radius, room};
 }
 

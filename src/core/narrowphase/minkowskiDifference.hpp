@@ -18,18 +18,16 @@ struct SupportVertex
     Vector<Dim> onA;
 };
 
-/// The same with the radii of curvature of A's and B's outlines there [m]; their sum is that of A - B.
+/// The same with how A - B bends there, and A alone.
 template <int Dim>
 struct CurvedVertex
 {
     Vector<Dim> difference;
     Vector<Dim> onA;
-    double radiusA;
-    double radiusB;
+    CurvatureRadius radius;
+    CurvatureRadius radiusA;
     /// How far the normal may turn before either outline is another curve [rad].
     double room;
-
-    double radius() const { return radiusA + radiusB; }
 };
 
 /// A straight side of A - B: its outward unit normal and both ends, the clockwise one first. World axes [m].
@@ -140,15 +138,15 @@ public:
         {
             side.normal = rotationA_.apply(ofA->normal);
             const CurvedPoint<2> onB = curvedOnB(side.normal);
-            side.start = joined({rotationA_.apply(ofA->start), 0, 0}, onB);
-            side.end = joined({rotationA_.apply(ofA->end), 0, 0}, onB);
+            side.start = joined({rotationA_.apply(ofA->start), {}, 0}, onB);
+            side.end = joined({rotationA_.apply(ofA->end), {}, 0}, onB);
         }
         else
         {
             side.normal = -rotationB_.apply(ofB->normal);
             const CurvedPoint<2> onA = curvedOnA(side.normal);
-            side.start = joined(onA, {rotationB_.apply(ofB->start), 0, 0});
-            side.end = joined(onA, {rotationB_.apply(ofB->end), 0, 0});
+            side.start = joined(onA, {rotationB_.apply(ofB->start), {}, 0});
+            side.end = joined(onA, {rotationB_.apply(ofB->end), {}, 0});
         }
         return true;
     }
@@ -179,7 +177,8 @@ private:
 
     CurvedVertex<Dim> joined(const CurvedPoint<Dim>& onA, const CurvedPoint<Dim>& onB) const
     {
-        return {onA.point - onB.point - centreToCentre_, onA.point, onA.radius, onB.radius, std::min(onA.room, onB.room)};
+        return {
+            onA.point - onB.point - centreToCentre_, onA.point, onA.radius + onB.radius, onA.radius, std::min(onA.room, onB.room)};
     }
 
     static OutlineStretch turned(const OutlineStretch& stretch, const Rotation<2>& rotation, double sign)

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.hpp"
 #include "core/narrowphase/minkowskiDifference.hpp"
+#include "core/narrowphase/searchStart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ class ValleySearch
 {
 public:
     explicit ValleySearch(const Difference& difference)
-    : difference_(difference), size_(difference.size()), floor_(tolerances::supportRounding / 2 * size_), unsettled_(mostToGain * size_)
+    : difference_(difference), size_(difference.size()), floor_(tolerances::supportRounding / 2 * size_)
     {
     }
 
@@ -63,7 +64,6 @@ public:
     {
         CurvedVertex<2> vertex = difference_.curvedSupport(normal);
         double previousTurn = 0;
-        double previousRadius = 0;
         for (int round = 0; round < mostRounds; ++round)
         {
             const double height = normal.dot(vertex.difference);
@@ -77,19 +77,13 @@ public:
                 return ended(ValleyStatus::separated, normal, height, vertex);
             }
 
-            const double bend = vertex.radius() - height;
+            const double radius = vertex.radius.value;
+            const double bend = radius - height;
             const bool curved = bend > 0 && std::isfinite(bend);
             const double turn = curved ? slope / bend : 0;
-            const double radius = vertex.radius();
-            if (curved && slope * slope <= unsettled_ * std::min(bend, size_))
+            if (curved && isSettled(slope, turn, bend, vertex))
             {
-                const ThirdOrder third = thirdOrder(slope, turn, radius, previousTurn, previousRadius, vertex.room);
-                if (isSettled(slope, turn, bend, vertex.room, third))
-                {
-                    // The third order is a small correction, or says nothing: at a joint of unlike curves.
-                    const bool small = std::abs(third.radiusChange * turn) < smallChange * bend;
-                    return atBottom(normal, vertex, height, slope, small ? third.radiusChange : 0);
-                }
+                return atBottom(normal, vertex, height, slope);
             }
             if (slope == 0)
             {
@@ -97,8 +91,8 @@ public:
                 return ended(bend >= 0 ? ValleyStatus::found : ValleyStatus::roundLimit, normal, height, vertex);
             }
 
-            (slope < 0 ? clockwise_ : counterClockwise_) = {normal, vertex, true};
-            Vector2 next = curved ? unit(vertex.radius() * normal - vertex.difference) : turnedDownhill(normal, slope);
+            (slope < 0 ? clockwise_ : counterClockwise_) = {normal, {vertex.difference, vertex.onA}, true};
+            Vector2 next = curved ? unit(radius * normal - vertex.difference) : turnedDownhill(normal, slope);
             bool newton = curved;
             bool chord = false;
             if (clockwise_.known && counterClockwise_.known
@@ -113,7 +107,6 @@ public:
                 chord = true;
             }
             previousTurn = newton ? turn : 0;
-            previousRadius = radius;
 
             if constexpr (Difference::mayHaveStraightSides())
             {
@@ -150,54 +143,19 @@ public:
 private:
     /// Newton takes about four from a bad guess; the chord wins a factor of four a round, of the 2^50 that there are.
     static constexpr int mostRounds = 40;
-    /// A turn [rad] whose fourth order is below rounding.
-    static constexpr double smallTurn = 1e-4;
-    /// Twice a gain over the size beyond which the third order never settles a search, so that it need not be looked at.
-    static constexpr double mostToGain = 1e-7;
-    /// The third order over the second beyond which it is no correction.
-    static constexpr double smallChange = 1e-2;
-
     /// A normal on one side of the minimum, and its support point.
     struct Fence
     {
         Vector2 normal;
-        CurvedVertex<2> vertex;
+        SupportVertex<2> vertex;
         bool known = false;
     };
 
-    /// What two of Newton's steps in a row tell of the change of the radius of curvature.
-    struct ThirdOrder
+    /// Whether what the series about this normal (doc/contactKernel.md, "The last step") leaves out of the minimum's height and
+    /// normal is nothing. Its next term is judged by the growth of the terms before.
+    bool isSettled(double slope, double turn, double bend, const CurvedVertex<2>& vertex) const
     {
-        /// Both steps are on one curve; else nothing is known.
-        bool known;
-        /// Derivative of the radius by the angle [m].
-        double radiusChange;
-        /// Largest that this derivative, by the radii or by the slope that the last step left, can be; times turn^2 [m].
-        double change;
-        double previousTurn;
-    };
-
-    static ThirdOrder thirdOrder(
-        double slope, double turn, double radius, double previousTurn, double previousRadius, double room)
-    {
-        if (previousTurn == 0 || std::abs(previousTurn) > room)
-        {
-            return {false, 0, 0, 0};
-        }
-        const double inverse = 1 / previousTurn;
-        const double radiusChange = (previousRadius - radius) * inverse;
-        // h' after the last step is radiusChange previousTurn^2/2.
-        const double seenChange = 2 * std::abs(slope) * inverse * inverse;
-        return {
-            true, radiusChange, std::max({std::abs(radiusChange), seenChange, radius}) * turn * turn, std::abs(previousTurn)};
-    }
-
-    /// What is still to gain on a circle of curvature is nothing, if the outline keeps to it; or, after two of Newton's
-    /// steps in a row, the third-order term that the circle leaves out and the last step adds is, with a digit to spare,
-    /// and that step leaves hardly anything of the normal's angle.
-    bool isSettled(double slope, double turn, double bend, double room, const ThirdOrder& third) const
-    {
-        if (2 * std::abs(turn) > room)
+        if (2 * std::abs(turn) > vertex.room)
         {
             return std::abs(slope) <= floor_;
         }
@@ -205,8 +163,18 @@ private:
         {
             return true;
         }
-        return third.known && third.change * third.previousTurn <= tolerances::settledNormal * bend
-            && third.change * std::abs(turn) <= floor_;
+        if (!(std::abs(turn) < smallTurn))
+        {
+            return false;
+        }
+        // With g, the growth of the radius' Taylor coefficients (radius^2 g^2 = growth), the series leaves radius g^4 turn^4
+        // of h'. Twice g, since both derivatives may be small by chance.
+        constexpr double safety = 16;
+        const CurvatureRadius& radius = vertex.radius;
+        const double growth = std::max({radius.value * radius.value, radius.first * radius.first, radius.value * std::abs(radius.second)});
+        const double cubed = radius.value * radius.value * radius.value;
+        const double left = safety * growth * growth * (turn * turn) * (turn * turn);
+        return left <= tolerances::settledNormal * bend * cubed && left * std::abs(turn) <= floor_ * cubed;
     }
 
     static Valley ended(ValleyStatus status, const Vector2& normal, double height, const CurvedVertex<2>& vertex)
@@ -214,23 +182,28 @@ private:
         return {status, normal, height, vertex.onA, vertex.difference, vertex.difference, false};
     }
 
-    /// Newton's last step: the normal turns to the bottom of the circle of curvature, and by what the change of that
-    /// circle (the derivative of its radius by the angle [m]) adds; A's point goes along.
-    static Valley atBottom(
-        const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope, double radiusChange)
+    /// The last step: the series about the normal, to the fourth order of the height.
+    static Valley atBottom(const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope)
     {
-        const double bend = vertex.radius() - height;
-        const double angle = -slope / bend;
-        if (!(std::abs(angle) < smallTurn))
+        const CurvatureRadius& radius = vertex.radius;
+        const double bend = radius.value - height;
+        const double first = -slope / bend;
+        if (!(std::abs(first) < smallTurn))
         {
             return atBottomOfCircle(normal, vertex, height, slope);
         }
-        const double more = radiusChange * angle * angle / (2 * bend);
-        const Vector2 bottom = turnedBy(angle - more, normal);
-        const double lowest = height + angle * (slope / 2 + radiusChange * angle * angle / 6);
+        const double third = radius.first - slope;
+        const double fourth = radius.second - bend;
+        const double c2 = third / (2 * bend) * first;
+        const double c3 = fourth / (6 * bend) * first * first;
+        const double angle = first * (1 - c2 + 2 * c2 * c2 - c3);
+        const double lowest = height + angle * (slope + angle * (bend / 2 + angle * (third / 6 + angle * fourth / 24)));
+        const Vector2 bottom = turnedBy(angle, normal);
+        const CurvatureRadius& a = vertex.radiusA;
         // Along the arc: on a nearly straight side the difference of the two normals has no digits left.
-        const double along = angle * vertex.radiusA;
-        const Vector2 onA = vertex.onA + along * perpendicular(normal) - along * angle / 2 * normal;
+        const double along = angle * (a.value + angle / 2 * (a.first + angle / 3 * (a.second - a.value)));
+        const double inwards = angle * angle / 2 * (a.value + angle * (2 * a.first / 3 + angle / 4 * (a.second - a.value / 3)));
+        const Vector2 onA = vertex.onA + along * perpendicular(normal) - inwards * normal;
         const Vector2 onDifference = lowest * bottom;
         return {ValleyStatus::found, bottom, lowest, onA, onDifference, onDifference, false};
     }
@@ -238,26 +211,18 @@ private:
     /// However far it turns: a boundary round about the origin.
     static Valley atBottomOfCircle(const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope)
     {
-        const Vector2 fromCentre = vertex.radius() * normal - vertex.difference;
+        const Vector2 fromCentre = vertex.radius.value * normal - vertex.difference;
         const double distance = fromCentre.norm();
         if (!(distance > 0))
         {
             return ended(ValleyStatus::found, normal, height, vertex);
         }
         const Vector2 bottom = (1 / distance) * fromCentre;
-        const double lowest = height - slope * slope / (distance + vertex.radius() - height);
+        const double lowest = height - slope * slope / (distance + vertex.radius.value - height);
         const Vector2 onDifference = lowest * bottom;
         return {
-            ValleyStatus::found, bottom, lowest, vertex.onA + vertex.radiusA * (bottom - normal), onDifference, onDifference,
+            ValleyStatus::found, bottom, lowest, vertex.onA + vertex.radiusA.value * (bottom - normal), onDifference, onDifference,
             false};
-    }
-
-    /// A unit vector turned counter-clockwise by 2 atan(angle/2), a turn of `angle` but for angle^3/12, without a root.
-    static Vector2 turnedBy(double angle, const Vector2& normal)
-    {
-        const double half = angle / 2;
-        const double scale = 2 / (1 + half * half);
-        return (scale - 1) * normal + half * scale * perpendicular(normal);
     }
 
     static Valley atSide(const DifferenceSide& side, double atStart, double atEnd, SeparatedPairs separatedPairs)
@@ -292,11 +257,11 @@ private:
     {
         const double height = normal.dot(vertex.difference);
         const double slope = cross(normal, vertex.difference);
-        const double bend = vertex.radius() - height;
+        const double bend = vertex.radius.value - height;
         if (bend > 0 && 2 * std::abs(slope) <= vertex.room * bend && slope * slope <= 2 * floor_ * std::min(bend, size_)
-            && isFencedIn(unit(vertex.radius() * normal - vertex.difference)))
+            && isFencedIn(unit(vertex.radius.value * normal - vertex.difference)))
         {
-            return atBottom(normal, vertex, height, slope, 0);
+            return atBottom(normal, vertex, height, slope);
         }
         return atChord(normal);
     }
@@ -311,8 +276,8 @@ private:
     /// On the chord from fence to fence, where it is nearest to the origin.
     Valley between(const Vector2& normal, double height) const
     {
-        const CurvedVertex<2>& first = clockwise_.vertex;
-        const CurvedVertex<2>& last = counterClockwise_.vertex;
+        const SupportVertex<2>& first = clockwise_.vertex;
+        const SupportVertex<2>& last = counterClockwise_.vertex;
         const Vector2 chord = last.difference - first.difference;
         const double squaredLength = chord.squaredNorm();
         const double share =
@@ -345,8 +310,6 @@ private:
     double size_;
     /// What is as good as nothing of a height: half of a support point's rounding.
     double floor_;
-    /// Twice the gain above which no step is the last [m].
-    double unsettled_;
     Fence clockwise_;
     Fence counterClockwise_;
 };

@@ -41,7 +41,7 @@ public:
         const std::size_t vertex = supportVertex(normal);
         const double before = cross(sides_[vertex == 0 ? sides_.size() - 1 : vertex - 1].normal, normal);
         const double after = cross(normal, sides_[vertex].normal);
-        return {vertices_[vertex], 0, std::max(0.0, std::min(before, after))};
+        return {vertices_[vertex], {}, std::max(0.0, std::min(before, after))};
     }
     OutlineStretch stretchAt(const Vector2& normal) const;
     static double leastRadiusBetween(const Vector2&, const Vector2&) { return 0; }

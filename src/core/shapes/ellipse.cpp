@@ -38,7 +38,7 @@ double Ellipse::leastRadiusBetween(const Vector2& first, const Vector2& last) co
     // The radius falls from the short axis to both tips of the long one: it is least at a tip, or at an end.
     const Vector2 tip = a_ > b_ ? Vector2::UnitX() : Vector2::UnitY();
     const auto holds = [&](const Vector2& normal) { return cross(first, normal) >= 0 && cross(normal, last) >= 0; };
-    return holds(tip) || holds(-tip) ? leastRadius() : std::min(curvedSupport(first).radius, curvedSupport(last).radius);
+    return holds(tip) || holds(-tip) ? leastRadius() : std::min(curvedSupport(first).radius.value, curvedSupport(last).radius.value);
 }
 
 MassProperties Ellipse::massProperties() const

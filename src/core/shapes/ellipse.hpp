@@ -32,13 +32,21 @@ public:
 
     double boundingRadius() const { return a_ > b_ ? a_ : b_; }
 
-    /// The radius of curvature is (a b)^2/(a^2 nx^2 + b^2 ny^2)^(3/2).
+    /// The radius of curvature is r = (a b)^2/q^3 with q^2 = a^2 nx^2 + b^2 ny^2; with m = (b^2 - a^2) nx ny/q^2 its derivatives
+    /// are r' = -3 r m and r'' = 3 r (5 m^2 - (b^2 - a^2)(nx^2 - ny^2)/q^2).
     CurvedPoint<2> curvedSupport(const Vector2& normal) const
     {
         const Vector2 stretched(a_ * normal.x(), b_ * normal.y());
         const double inverse = 1 / stretched.norm();
         const double share = a_ * b_ * inverse;
-        return {Vector2(a_ * (stretched.x() * inverse), b_ * (stretched.y() * inverse)), share * share * inverse, std::numeric_limits<double>::infinity()};
+        const double radius = share * share * inverse;
+        const double stretch = (b_ - a_) * inverse * ((a_ + b_) * inverse);
+        const double change = stretch * normal.x() * normal.y();
+        const double bend = stretch * (normal.x() - normal.y()) * (normal.x() + normal.y());
+        return {
+            Vector2(a_ * (stretched.x() * inverse), b_ * (stretched.y() * inverse)),
+            {radius, -3 * radius * change, 3 * radius * (5 * change * change - bend)},
+            std::numeric_limits<double>::infinity()};
     }
 
     OutlineStretch stretchAt(const Vector2& normal) const;

@@ -5,19 +5,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace chesil
 {
 
-/// A measure of a direction's angle without trigonometry or branch: rises from 0 to 4 over one turn from -x on (the
-/// "diamond angle"), the same order as the angle itself.
-inline double diamondAngle(const Vector2& direction)
+/// A measure of a direction's angle without trigonometry, branch or division, share/whole: rises from -2 to 2 over one
+/// turn from -x on (the "diamond angle"), the same order as the angle itself.
+struct DiamondAngle
 {
-    const double share = direction.x() / (std::abs(direction.x()) + std::abs(direction.y()));
-    return 2 + std::copysign(1 - share, direction.y());
-}
+    double share;
+    double whole;
+
+    explicit DiamondAngle(const Vector2& direction) : whole(std::abs(direction.x()) + std::abs(direction.y()))
+    {
+        share = std::copysign(whole - direction.x(), direction.y());
+    }
+
+    bool isFrom(double angle) const { return angle * whole <= share; }
+};
 
 /// The pieces of a convex outline sorted by the outward normal at which each begins, so that the piece
 /// that holds a direction's support point is found in O(log N).
@@ -34,7 +42,8 @@ public:
         constexpr double back = 4 * tolerances::convexity;
         for (const Vector2& normal : normals)
         {
-            double key = diamondAngle(normal);
+            const DiamondAngle angle(normal);
+            double key = angle.share / angle.whole;
             if (!keys_.empty())
             {
                 // From the last key on it rises, by less than a turn; what turns back, or not at all, rises by the least
@@ -46,7 +55,7 @@ public:
             keys_.push_back(key);
         }
         // One turn holds all: those beyond its end are the first.
-        const auto beyond = std::lower_bound(keys_.begin(), keys_.end(), turn);
+        const auto beyond = std::lower_bound(keys_.begin(), keys_.end(), turn / 2);
         const std::size_t size = keys_.size();
         const std::size_t first = beyond == keys_.end() ? 0 : static_cast<std::size_t>(beyond - keys_.begin());
         std::for_each(beyond, keys_.end(), [](double& key) { key -= turn; });
@@ -64,25 +73,30 @@ public:
     /// The piece whose range of normals, up to the next piece's start, holds the direction.
     std::size_t find(const Vector2& direction) const
     {
-        return pieces_[keysUpTo(diamondAngle(direction))];
+        return pieces_[keysUpTo(DiamondAngle(direction))];
     }
 
 private:
-    std::size_t keysUpTo(double angle) const
+    std::size_t keysUpTo(const DiamondAngle& angle) const
     {
         // Counting without a branch beats the search's mispredictions on the usual ten segments.
         constexpr std::size_t fewKeys = 32;
         if (keys_.size() > fewKeys)
         {
-            return static_cast<std::size_t>(std::upper_bound(keys_.begin(), keys_.end(), angle) - keys_.begin());
+            return static_cast<std::size_t>(std::partition_point(
+                                                keys_.begin(), keys_.end(), [&](double key) { return angle.isFrom(key); })
+                                            - keys_.begin());
         }
-        std::size_t count = 0;
+        std::int64_t count = 0;
+        const double* keys = keys_.data();
         for (std::size_t i = 0; i < keys_.size(); i += keysAtATime)
         {
-            const auto passed = [&](std::size_t k) { return keys_[i + k] <= angle ? std::size_t(1) : std::size_t(0); };
-            count += (passed(0) + passed(1)) + (passed(2) + passed(3));
+            for (std::size_t k = 0; k < keysAtATime; ++k)
+            {
+                count += angle.isFrom(keys[i + k]) ? 1 : 0;
+            }
         }
-        return count;
+        return static_cast<std::size_t>(count);
     }
 
     static constexpr std::size_t keysAtATime = 4;

@@ -49,7 +49,7 @@ public:
     {
         const std::size_t piece = normals_.find(normal);
         CurvedPoint<2> result = curves_[piece].curvedSupport(normal);
-        if (result.radius == 0)
+        if (result.radius.value == 0)
         {
             const OutlineStretch& corner = stretches_[piece];
             result.room = std::max(0.0, std::min(cross(corner.firstNormal, normal), cross(normal, corner.lastNormal)));

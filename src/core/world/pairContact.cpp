@@ -28,7 +28,7 @@ constexpr bool isLoop = std::is_same_v<ShapeType, Circle> || std::is_same_v<Shap
 /// By axes, by valley or by expansion, whichever the two shapes allow; their bounding circles overlap.
 template <class ShapeA, class ShapeB, class Difference>
 Penetration<2> search(
-    const ShapeA& a, const Pose<2>& poseA, const ShapeB& b, const Pose<2>& poseB, const Difference& difference, const Vector2& direction)
+    const ShapeA& a, const Pose<2>& poseA, const ShapeB& b, const Pose<2>& poseB, const Difference& difference, const SearchStart& start)
 {
     const Vector2& centreToCentre = difference.centreToCentre();
     if constexpr (isLoop<ShapeA> && isLoop<ShapeB>)
@@ -37,6 +37,7 @@ Penetration<2> search(
         const VertexLoop loopB = loopOf(b);
         if (std::max(loopA.size, loopB.size) <= mostAxes)
         {
+            const Vector2& direction = start.direction;
             // Last step's direction most often still separates what it separated then.
             if (direction != Vector2::Zero() && direction.allFinite())
             {
@@ -51,11 +52,11 @@ Penetration<2> search(
     }
     if constexpr (Difference::offersCurvature)
     {
-        return penetration(difference, firstNormal<2>(direction, centreToCentre));
+        return penetration(difference, firstNormal<2>(start.expected(), centreToCentre));
     }
     else
     {
-        return penetrationByExpansion<2>(difference, firstNormal<2>(direction, centreToCentre));
+        return penetrationByExpansion<2>(difference, firstNormal<2>(start.expected(), centreToCentre));
     }
 }
 
@@ -65,7 +66,7 @@ PairStatus contactOf(
     const Pose<2>& poseA,
     const ShapeB& b,
     const Pose<2>& poseB,
-    Vector2& direction,
+    SearchStart& start,
     ContactGeometry<2>& contact,
     Cost cost)
 {
@@ -75,14 +76,18 @@ PairStatus contactOf(
     {
         return std::isfinite(squaredDistance) ? PairStatus::separated : PairStatus::notFinite;
     }
-    const Penetration<2> found = search(a, poseA, b, poseB, difference, direction);
+    const Penetration<2> found = search(a, poseA, b, poseB, difference, start);
     if (found.status == PairStatus::notFinite || found.status == PairStatus::undecided)
     {
         return found.status;
     }
-    direction = found.normal;
-    if (found.status != PairStatus::separated)
+    if (found.status == PairStatus::separated)
     {
+        start.standAt(found.normal);
+    }
+    else
+    {
+        start.turnTo(found.normal);
         contact.depth = found.depth;
         contact.normal = found.normal;
         contact.point = poseA.position + found.point;
@@ -92,7 +97,7 @@ PairStatus contactOf(
 
 template <class Cost>
 PairStatus contactOf(
-    const Circle& a, const Pose<2>& poseA, const Circle& b, const Pose<2>& poseB, Vector2&, ContactGeometry<2>& contact, Cost)
+    const Circle& a, const Pose<2>& poseA, const Circle& b, const Pose<2>& poseB, SearchStart&, ContactGeometry<2>& contact, Cost)
 {
     const Vector2 offset = poseB.position - poseA.position;
     const double distance = offset.norm();
@@ -118,13 +123,13 @@ template <class Cost>
     const Pose<2>& poseA,
     const Shape& b,
     const Pose<2>& poseB,
-    Vector2& direction,
+    SearchStart& start,
     ContactGeometry<2>& contact,
     Cost cost)
 {
     return std::visit(
         [&](const auto& shapeA, const auto& shapeB)
-        { return contactOf(shapeA, poseA, shapeB, poseB, direction, contact, cost); },
+        { return contactOf(shapeA, poseA, shapeB, poseB, start, contact, cost); },
         a,
         b);
 }
@@ -136,14 +141,14 @@ PairStatus disksFirst(
     const Pose<2>& poseA,
     const Shape& b,
     const Pose<2>& poseB,
-    Vector2& direction,
+    SearchStart& start,
     ContactGeometry<2>& contact,
     Cost cost)
 {
     const Circle* diskA = std::get_if<Circle>(&a);
     const Circle* diskB = std::get_if<Circle>(&b);
-    return diskA && diskB ? contactOf(*diskA, poseA, *diskB, poseB, direction, contact, cost)
-                          : visited(a, poseA, b, poseB, direction, contact, cost);
+    return diskA && diskB ? contactOf(*diskA, poseA, *diskB, poseB, start, contact, cost)
+                          : visited(a, poseA, b, poseB, start, contact, cost);
 }
 
 } // namespace
@@ -153,10 +158,10 @@ PairStatus pairContact(
     const Pose<2>& poseA,
     const Shape& b,
     const Pose<2>& poseB,
-    Vector2& direction,
+    SearchStart& start,
     ContactGeometry<2>& contact)
 {
-    return disksFirst(a, poseA, b, poseB, direction, contact, NoCost{});
+    return disksFirst(a, poseA, b, poseB, start, contact, NoCost{});
 }
 
 PairStatus pairContact(
@@ -164,11 +169,11 @@ PairStatus pairContact(
     const Pose<2>& poseA,
     const Shape& b,
     const Pose<2>& poseB,
-    Vector2& direction,
+    SearchStart& start,
     ContactGeometry<2>& contact,
     QueryCost& cost)
 {
-    return disksFirst(a, poseA, b, poseB, direction, contact, CostCounter{&cost});
+    return disksFirst(a, poseA, b, poseB, start, contact, CostCounter{&cost});
 }
 
 } // namespace chesil

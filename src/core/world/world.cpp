@@ -295,13 +295,17 @@ PairStatus World::queryGrains(Contact<2>& contact, ContactGeometry<2>& found)
 {
     const auto i = static_cast<std::size_t>(contact.first);
     const auto j = static_cast<std::size_t>(contact.second);
+    SearchStart start{contact.normal, contact.turn};
+    QueryCost cost;
+    const PairStatus status = settings_.contactStatistics
+        ? pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], start, found, cost)
+        : pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], start, found);
+    contact.normal = start.direction;
+    contact.turn = start.turn;
     if (!settings_.contactStatistics)
     {
-        return pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, found);
+        return status;
     }
-    QueryCost cost;
-    const PairStatus status =
-        pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], contact.normal, found, cost);
     ++contactStatistics_.queries;
     contactStatistics_.contacts += status == PairStatus::overlapping || status == PairStatus::coarse;
     contactStatistics_.supportCalls += static_cast<std::size_t>(cost.supportCalls);

@@ -31,7 +31,7 @@ public:
 
     /// The time is that of the manifold, whose points and normal are in the frame of one of the polygons.
     template <bool judged>
-    Answer query(std::size_t step, std::size_t i, Vector2&, int& calls) const
+    Answer query(std::size_t step, std::size_t i, SearchStart&, int& calls) const
     {
         b2Manifold manifold;
         b2CollidePolygons(&manifold, polygonsA_[i], transformsA_[i], polygonsB_[i], transformsB_[step][i]);

@@ -69,7 +69,7 @@ public:
     }
 
     template <bool judged>
-    Answer query(std::size_t step, std::size_t i, Vector2&, int& calls) const
+    Answer query(std::size_t step, std::size_t i, SearchStart&, int& calls) const
     {
         const BulletPrism<ShapeType>& a = prismsA_[i];
         const btTransform& poseA = posesA_[i];

@@ -9,11 +9,11 @@ namespace chesil::benchmark
 // =================================================================================================
 // The one place that knows how the kernel counts its support calls.
 inline PairStatus countedPairContact(const Shape& a, const Pose<2>& poseA, const Shape& b,
-                                     const Pose<2>& poseB, Vector2& direction, ContactGeometry<2>& contact,
+                                     const Pose<2>& poseB, SearchStart& start, ContactGeometry<2>& contact,
                                      int& calls)
 {
     QueryCost cost;
-    const PairStatus status = pairContact(a, poseA, b, poseB, direction, contact, cost);
+    const PairStatus status = pairContact(a, poseA, b, poseB, start, contact, cost);
     calls += cost.supportCalls;
     return status;
 }
@@ -27,7 +27,7 @@ public:
     explicit ChesilKernel(const PairSet<ShapeType>& set) : set_(set) {}
 
     template <bool judged>
-    Answer query(std::size_t step, std::size_t i, Vector2& direction, int& calls) const
+    Answer query(std::size_t step, std::size_t i, SearchStart& start, int& calls) const
     {
         const Pair<ShapeType>& pair = set_.pairs[i];
         const Pose<2>& poseB = set_.posesB[step][i];
@@ -35,11 +35,11 @@ public:
         PairStatus status;
         if constexpr (judged)
         {
-            status = countedPairContact(pair.a, pair.poseA, pair.b, poseB, direction, contact, calls);
+            status = countedPairContact(pair.a, pair.poseA, pair.b, poseB, start, contact, calls);
         }
         else
         {
-            status = pairContact(pair.a, pair.poseA, pair.b, poseB, direction, contact);
+            status = pairContact(pair.a, pair.poseA, pair.b, poseB, start, contact);
         }
         return {status == PairStatus::overlapping || status == PairStatus::coarse, contact.depth};
     }
@@ -78,23 +78,23 @@ public:
     PlainExpansion(const PairSet<ShapeType>& set, double tolerance) : set_(set), tolerance_(tolerance) {}
 
     template <bool judged>
-    Answer query(std::size_t step, std::size_t i, Vector2& direction, int& calls) const
+    Answer query(std::size_t step, std::size_t i, SearchStart& start, int& calls) const
     {
         const Pair<ShapeType>& pair = set_.pairs[i];
         const Pose<2>& poseB = set_.posesB[step][i];
         const typename CountingDifference<ShapeType>::Difference difference(pair.exactA, pair.poseA,
                                                                             pair.exactB, poseB);
-        if (direction == Vector2::Zero())
+        if (start.direction == Vector2::Zero())
         {
-            direction = poseB.position - pair.poseA.position;
+            start.direction = poseB.position - pair.poseA.position;
         }
         if constexpr (judged)
         {
-            return expand(CountingDifference<ShapeType>(difference, calls), direction);
+            return expand(CountingDifference<ShapeType>(difference, calls), start.direction);
         }
         else
         {
-            return expand(difference, direction);
+            return expand(difference, start.direction);
         }
     }
 

@@ -70,12 +70,12 @@ public:
     }
 
     template <bool judged>
-    Answer query(std::size_t step, std::size_t i, Vector2& direction, int& calls) const
+    Answer query(std::size_t step, std::size_t i, SearchStart& start, int& calls) const
     {
         const Body& a = bodies_->a[i];
         const Body& b = bodies_->b[step][i];
         const ccd_t& settings = judged ? counting_ : settings_;
-        a.lookFirst = direction != Vector2::Zero() ? direction : Vector2(b.pose.position - a.pose.position);
+        a.lookFirst = start.direction != Vector2::Zero() ? start.direction : Vector2(b.pose.position - a.pose.position);
         a.calls = 0;
         double depth = 0;
         ccd_vec3_t normal{};
@@ -86,7 +86,7 @@ public:
         calls += a.calls;
         if (status == 0)
         {
-            direction = Vector2(normal.v[0], normal.v[1]);
+            start.direction = Vector2(normal.v[0], normal.v[1]);
         }
         return {status == 0, depth};
     }

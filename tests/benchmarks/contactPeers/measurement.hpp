@@ -2,6 +2,7 @@
 
 #include "benchmarks/common/benchmark.hpp"
 #include "benchmarks/contactPeers/pairSets.hpp"
+#include "core/narrowphase/searchStart.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,10 +12,10 @@
 
 /// A method ("peer") is asked about pair i after s moves by
 ///
-///     template <bool judged> Answer query(std::size_t s, std::size_t i, Vector2& direction, int& calls)
+///     template <bool judged> Answer query(std::size_t s, std::size_t i, SearchStart& start, int& calls)
 ///     const
 ///
-/// `direction` is zero or what the last query of this pair left there. The timed queries are not `judged`:
+/// `start` is empty or what the last query of this pair left there. The timed queries are not `judged`:
 /// only the others have to count support calls of A - B and to work out a depth that the peer does not give
 /// by itself.
 namespace chesil::benchmark
@@ -55,9 +56,9 @@ public:
     explicit ForgetDirection(std::shared_ptr<Peer> peer) : peer_(std::move(peer)) {}
 
     template <bool judged>
-    Answer query(std::size_t step, std::size_t i, Vector2&, int& calls) const
+    Answer query(std::size_t step, std::size_t i, SearchStart&, int& calls) const
     {
-        Vector2 none = Vector2::Zero();
+        SearchStart none;
         return peer_->template query<judged>(step, i, none, calls);
     }
 
@@ -69,8 +70,8 @@ constexpr double farOff = 1e-3;
 
 enum class Start
 {
-    cold, ///< the pairs before their first move, each without a direction
-    warm, ///< the moves, each with the direction that the last query left
+    cold, ///< the pairs before their first move, each without a start
+    warm, ///< the moves, each with the start that the last query left
 };
 
 /// All methods on one set of pairs.
@@ -94,7 +95,7 @@ public:
         else
         {
             judgeWarm(*peer, row);
-            works_.push_back([peer, this, first = firstDirections(*peer)]()
+            works_.push_back([peer, this, first = firstStarts(*peer)]()
                              { return runWarm(*peer, first); });
             queries_.push_back(set_.pairs.size() * steps);
         }
@@ -133,15 +134,15 @@ private:
         int calls = 0;
         for (std::size_t i = 0; i < set_.pairs.size(); ++i)
         {
-            Vector2 direction = Vector2::Zero();
-            sum += peer.template query<false>(0, i, direction, calls).depth;
+            SearchStart start;
+            sum += peer.template query<false>(0, i, start, calls).depth;
         }
         return sum;
     }
 
     /// As a time loop does: all pairs, then the next move.
     template <class Peer>
-    double runWarm(const Peer& peer, std::vector<Vector2> directions) const
+    double runWarm(const Peer& peer, std::vector<SearchStart> starts) const
     {
         double sum = 0;
         int calls = 0;
@@ -149,22 +150,22 @@ private:
         {
             for (std::size_t i = 0; i < set_.pairs.size(); ++i)
             {
-                sum += peer.template query<false>(step, i, directions[i], calls).depth;
+                sum += peer.template query<false>(step, i, starts[i], calls).depth;
             }
         }
         return sum;
     }
 
     template <class Peer>
-    std::vector<Vector2> firstDirections(const Peer& peer) const
+    std::vector<SearchStart> firstStarts(const Peer& peer) const
     {
-        std::vector<Vector2> directions(set_.pairs.size(), Vector2::Zero());
+        std::vector<SearchStart> starts(set_.pairs.size());
         int calls = 0;
         for (std::size_t i = 0; i < set_.pairs.size(); ++i)
         {
-            peer.template query<true>(0, i, directions[i], calls);
+            peer.template query<true>(0, i, starts[i], calls);
         }
-        return directions;
+        return starts;
     }
 
     template <class Peer>
@@ -174,8 +175,8 @@ private:
         std::vector<double> errors;
         for (std::size_t i = 0; i < set_.pairs.size(); ++i)
         {
-            Vector2 direction = Vector2::Zero();
-            note(peer.template query<true>(0, i, direction, calls), set_.before[i], errors, row);
+            SearchStart start;
+            note(peer.template query<true>(0, i, start, calls), set_.before[i], errors, row);
         }
         summarize(errors, static_cast<double>(calls) / static_cast<double>(set_.pairs.size()), row);
     }
@@ -184,14 +185,14 @@ private:
     template <class Peer>
     void judgeWarm(const Peer& peer, Row& row) const
     {
-        std::vector<Vector2> directions = firstDirections(peer);
+        std::vector<SearchStart> starts = firstStarts(peer);
         int calls = 0;
         std::vector<double> errors;
         for (std::size_t step = 1; step <= steps; ++step)
         {
             for (std::size_t i = 0; i < set_.pairs.size(); ++i)
             {
-                const Answer answer = peer.template query<true>(step, i, directions[i], calls);
+                const Answer answer = peer.template query<true>(step, i, starts[i], calls);
                 if (step == steps)
                 {
                     note(answer, set_.after[i], errors, row);

@@ -11,7 +11,7 @@ namespace chesil::benchmark
 struct Answer
 {
     PairStatus status = PairStatus::notFinite;
-    Vector2 direction = Vector2::Zero();
+    SearchStart start;
     ContactGeometry<2> contact{0, Vector2::Zero(), Vector2::Zero()};
 
     /// A query that failed may have left a depth, too.
@@ -21,12 +21,12 @@ struct Answer
     }
 };
 
-/// Asks with the direction that `answer` holds: zero is a cold query.
+/// Asks with the start that `answer` holds: an empty one is a cold query.
 inline void ask(const RandomPair& pair, const Pose<2>& poseB, Answer& answer)
 {
     answer.contact.depth = 0;
     answer.status =
-        pairContact(pair.a->shape, pair.poseA, pair.b->shape, poseB, answer.direction, answer.contact);
+        pairContact(pair.a->shape, pair.poseA, pair.b->shape, poseB, answer.start, answer.contact);
 }
 
 /// First-order bound [m] on the rounding of a depth n.(p_A - p_B - x_AB) in double, S = R_A + R_B, u =
@@ -125,9 +125,9 @@ inline void judgeContact(const RandomPair& pair, const Answer& answer,
 inline void judgeSeparation(const RandomPair& pair, const Answer& answer,
                             const test::PreciseDifference& difference, Judgement& judgement)
 {
-    const bool told = answer.direction.allFinite() && answer.direction != Vector2::Zero();
+    const bool told = answer.start.direction.allFinite() && answer.start.direction != Vector2::Zero();
     const bool concentric = difference.offset().x == 0 && difference.offset().y == 0;
-    const test::PrecisePoint claim = told         ? test::precise(answer.direction)
+    const test::PrecisePoint claim = told         ? test::precise(answer.start.direction)
                                      : concentric ? test::PrecisePoint{1, 0}
                                                   : difference.offset();
     judgement.depth = difference.height(claim);

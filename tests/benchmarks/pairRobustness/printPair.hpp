@@ -69,8 +69,8 @@ inline void print(const char* name, const RandomPair& pair, const Pose<2>& poseB
     const Judgement judgement = judge(pair, poseB, answer);
     std::printf("        %s: %s, depth %a, normal (%a, %a), direction (%a, %a)\n", name,
                 statusName(answer.status).c_str(), answer.overlaps() ? answer.contact.depth : 0.0,
-                answer.contact.normal.x(), answer.contact.normal.y(), answer.direction.x(),
-                answer.direction.y());
+                answer.contact.normal.x(), answer.contact.normal.y(), answer.start.direction.x(),
+                answer.start.direction.y());
     std::printf("            reference %La after %d supports; error %.3g of the larger size, %.3g of the "
                 "bound; normal "
                 "%.3g of the bound%s%s%s%s%s\n",

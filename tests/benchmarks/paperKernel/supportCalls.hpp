@@ -35,11 +35,11 @@ struct EngineAnswer
 
 /// The engine's contact query and what it counts.
 inline EngineAnswer askEngine(const Shape& a, const Pose<2>& poseA, const Shape& b, const Pose<2>& poseB,
-                              Vector2& direction)
+                              SearchStart& start)
 {
     EngineAnswer answer;
     ContactGeometry<2> contact;
-    const PairStatus status = pairContact(a, poseA, b, poseB, direction, contact, answer.cost);
+    const PairStatus status = pairContact(a, poseA, b, poseB, start, contact, answer.cost);
     answer.depth = status == PairStatus::overlapping || status == PairStatus::coarse ? contact.depth : 0;
     return answer;
 }
@@ -72,11 +72,11 @@ inline PairCalls countCalls(const NearPair& pair)
     PairCalls calls;
     const double depth = countGjk(pair, calls);
 
-    Vector2 direction = Vector2::Zero();
-    const EngineAnswer cold = askEngine(*pair.a, pair.poseA, *pair.b, pair.poseB, direction);
-    direction = Vector2::Zero();
-    askEngine(*pair.a, pair.beforeA, *pair.b, pair.beforeB, direction);
-    const EngineAnswer warm = askEngine(*pair.a, pair.poseA, *pair.b, pair.poseB, direction);
+    SearchStart start;
+    const EngineAnswer cold = askEngine(*pair.a, pair.poseA, *pair.b, pair.poseB, start);
+    start = {};
+    askEngine(*pair.a, pair.beforeA, *pair.b, pair.beforeB, start);
+    const EngineAnswer warm = askEngine(*pair.a, pair.poseA, *pair.b, pair.poseB, start);
     calls.engineCold = cold.cost.supportCalls;
     calls.engineWarm = warm.cost.supportCalls;
     calls.coldFellBack = cold.cost.swept;

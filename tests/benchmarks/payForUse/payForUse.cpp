@@ -32,10 +32,10 @@ void askAll(const World& world, const Look& look, Cost&... cost)
         }
         const auto i = static_cast<std::size_t>(contact.first);
         const auto j = static_cast<std::size_t>(contact.second);
-        Vector2 direction = contact.normal;
+        SearchStart start{contact.normal, contact.turn};
         ContactGeometry<2> geometry;
         geometry.depth = 0;
-        pairContact(world.shapeOf(i), pose[i], world.shapeOf(j), pose[j], direction, geometry, cost...);
+        pairContact(world.shapeOf(i), pose[i], world.shapeOf(j), pose[j], start, geometry, cost...);
         look(geometry);
     }
 }

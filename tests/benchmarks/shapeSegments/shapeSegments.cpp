@@ -85,9 +85,9 @@ double queryAll(const Representation& representation)
     double sum = 0;
     for (const Pair& pair : representation.pairs)
     {
-        Vector2 direction = pair.poses.lookFirst;
+        SearchStart start{pair.poses.lookFirst};
         ContactGeometry<2> contact;
-        pairContact(pair.a, pair.poses.a, pair.b, pair.poses.b, direction, contact);
+        pairContact(pair.a, pair.poses.a, pair.b, pair.poses.b, start, contact);
         sum += contact.depth;
     }
     return sum;

@@ -32,7 +32,7 @@ struct PairFound
 {
     PairStatus status;
     ContactGeometry<2> contact;
-    Vector2 direction;
+    SearchStart start;
     QueryCost cost;
     PairDistance apart;
     /// Sum of both bounding radii, and the smaller of them [m].
@@ -46,13 +46,13 @@ struct PairFound
 };
 
 inline PairFound findPair(
-    const Shape& a, const Pose<2>& poseA, const Shape& b, const Pose<2>& poseB, const Vector2& direction = Vector2::Zero())
+    const Shape& a, const Pose<2>& poseA, const Shape& b, const Pose<2>& poseB, const SearchStart& start = {})
 {
     PairFound found{};
-    found.direction = direction;
     found.contact = {0, Vector2::Zero(), Vector2::Zero()};
-    found.status = pairContact(a, poseA, b, poseB, found.direction, found.contact, found.cost);
-    found.apart = pairDistance(a, poseA, b, poseB, direction);
+    found.start = start;
+    found.status = pairContact(a, poseA, b, poseB, found.start, found.contact, found.cost);
+    found.apart = pairDistance(a, poseA, b, poseB, start.direction);
     found.size = boundingRadius(a) + boundingRadius(b);
     found.smaller = std::min(boundingRadius(a), boundingRadius(b));
     return found;

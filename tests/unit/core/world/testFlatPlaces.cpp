@@ -32,9 +32,9 @@ struct Flat
 Flat flat(const Shape& a, const Pose<2>& poseA, const Shape& b, const Pose<2>& poseB)
 {
     Flat result;
-    Vector2 direction = Vector2::Zero();
+    SearchStart start;
     ContactGeometry<2> contact{};
-    result.overlap = pairContact(a, poseA, b, poseB, direction, contact) == PairStatus::overlapping;
+    result.overlap = pairContact(a, poseA, b, poseB, start, contact) == PairStatus::overlapping;
     result.two = result.overlap && flatContact(a, poseA, b, poseB, contact, result.places);
     return result;
 }

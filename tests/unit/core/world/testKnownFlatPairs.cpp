@@ -70,7 +70,7 @@ TEST(KnownFlatPairs, squaresThatBarelyOverlap)
             {
                 const Vector2 elsewhere(std::cos(angle), std::sin(angle));
                 const Pose<2> there{Vector2(2 - 1e-9, 2 - 2e-9), {}};
-                expectContact(findPair(a, Pose<2>{}, b, there, elsewhere), 2 - (2 - 1e-9), {1, 0}, 1e-14);
+                expectContact(findPair(a, Pose<2>{}, b, there, SearchStart{elsewhere}), 2 - (2 - 1e-9), {1, 0}, 1e-14);
             }
         }
     }

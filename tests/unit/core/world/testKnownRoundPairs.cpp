@@ -68,7 +68,7 @@ TEST(KnownRoundPairs, unitDisksFromShallowToDeep)
                 for (const double angle : {0.1, 1.5, 3.0, M_PI, -2.0})
                 {
                     const Vector2 elsewhere(std::cos(angle), std::sin(angle));
-                    expectContact(findPair(a, Pose<2>{}, b, {Vector2(distance, 0), {}}, elsewhere), depth, {1, 0}, 1e-8);
+                    expectContact(findPair(a, Pose<2>{}, b, {Vector2(distance, 0), {}}, SearchStart{elsewhere}), depth, {1, 0}, 1e-8);
                 }
             }
         }
@@ -118,7 +118,7 @@ TEST(KnownRoundPairs, nearlyConcentricDisks)
             for (const double angle : {0.3, 2.0, M_PI, -1.0})
             {
                 const Vector2 elsewhere(std::cos(angle), std::sin(angle));
-                expectDepth(findPair(a, Pose<2>{}, b, {Vector2(1e-8, 0), {}}, elsewhere), depth);
+                expectDepth(findPair(a, Pose<2>{}, b, {Vector2(1e-8, 0), {}}, SearchStart{elsewhere}), depth);
             }
         }
     }
@@ -391,6 +391,6 @@ TEST(KnownRoundPairs, randomSmoothPairsAgainstLongDouble)
         SCOPED_TRACE("pair " + std::to_string(i) + ", kinds " + std::to_string(a.index()) + ' ' + std::to_string(b.index()));
         const double depth = -static_cast<double>(test::preciseDistance(a, poseA, b, poseB));
         expectDepth(findPair(a, poseA, b, poseB), depth);
-        expectDepth(findPair(a, poseA, b, poseB, random.direction()), depth);
+        expectDepth(findPair(a, poseA, b, poseB, SearchStart{random.direction()}), depth);
     }
 }
