@@ -63,14 +63,14 @@ EpaState iterateEpa(const Difference& difference, const Simplex<2>& simplex, int
 /// nearest the origin lies along rho n - w.
 inline Vector2 newtonStep(const Vector2& normal, const CurvedVertex<2>& vertex)
 {
-    return (vertex.radius() * normal - vertex.difference).normalized();
+    return (vertex.radius.value * normal - vertex.difference).normalized();
 }
 
 /// By how much [m] that disk's boundary is nearer the origin than its tangent at w: (t.w)^2/(2 (rho - n.w)).
 inline double newtonResidual(const Vector2& normal, const CurvedVertex<2>& vertex)
 {
     const double aside = cross(normal, vertex.difference);
-    const double beyond = vertex.radius() - normal.dot(vertex.difference);
+    const double beyond = vertex.radius.value - normal.dot(vertex.difference);
     // An origin beyond the disk's centre has no minimum near: the iteration is lost.
     return beyond > 0 ? aside * aside / (2 * beyond) : std::numeric_limits<double>::infinity();
 }
