@@ -162,10 +162,11 @@ static int run(Time& runTime)
     {
         ++runTime;
         ++steps;
-        if (world.step(timeStep) != chesil::StepStatus::done)
+        const chesil::StepStatus status = world.step(timeStep);
+        if (status != chesil::StepStatus::done)
         {
-            Info<< "FAILED at time " << runTime.value() << " s: the state of grain "
-                << label(world.brokenGrain()) << " is no finite number" << endl;
+            Info<< "FAILED at time " << runTime.value() << " s: "
+                << chesil::describe(status, world.brokenGrain()).c_str() << endl;
             return 1;
         }
 

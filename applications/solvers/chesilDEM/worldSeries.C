@@ -34,7 +34,7 @@ Foam::worldSummary::worldSummary(const chesil::World& world)
     kineticEnergy(chesil::kineticEnergy(world.bodies())),
     contactEnergy
     (
-        chesil::contactEnergy(world.settings().contact, world.contacts())
+        world.contactEnergy()
     ),
     contacts(0),
     largestOverlap(world.largestRelativeOverlap())

@@ -17,6 +17,8 @@ struct PlaneWall
     Vector<Dim> point;
     /// Unit normal, into the domain.
     Vector<Dim> normal;
+    /// Index of its material.
+    int material = 0;
 
     double distance(const Vector<Dim>& position) const { return (position - point).dot(normal); }
 };

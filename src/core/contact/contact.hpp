@@ -26,8 +26,6 @@ struct Contact
     double turn = 0;
     /// Middle of the overlap [m].
     Vector<Dim> point = Vector<Dim>::Zero();
-    /// Elastic tangential displacement of first against second [m].
-    Vector<Dim> spring = Vector<Dim>::Zero();
     /// On the first body [N].
     Vector<Dim> force = Vector<Dim>::Zero();
 

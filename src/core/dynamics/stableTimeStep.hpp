@@ -24,16 +24,17 @@ class StableTimeStep
 {
 public:
     /// A grain that moves: mass [kg], moment of inertia [kg m2], longest arm of a contact [m], places at which it
-    /// touches a neighbour.
-    void add(double mass, double inertia, double longestArm, int places = 1)
+    /// touches a neighbour, largest stiffness of its contacts [N/m]. The spring of rolling resistance, k c R^2, adds
+    /// its share c.
+    void add(double mass, double inertia, double longestArm, double stiffness, int places = 1, double rollingShare = 0)
     {
-        const double spread = places * (1 + mass * longestArm * longestArm / inertia);
+        const double spread = places * (1 + mass * longestArm * longestArm * (1 + rollingShare) / inertia);
         largestSpread_ = std::max(largestSpread_, spread);
-        largestMobility_ = std::max(largestMobility_, spread / mass);
+        largestMobility_ = std::max(largestMobility_, stiffness * spread / mass);
     }
 
     /// Infinite without grains.
-    double of(double stiffness, double dampingRatio, double localDamping) const
+    double of(double dampingRatio, double localDamping) const
     {
         if (largestMobility_ == 0)
         {
@@ -41,13 +42,14 @@ public:
         }
         constexpr double contactsOfAGrain = 6;
         const double raised = 1 + localDamping;
-        const double frequency = std::sqrt(2 * raised * stiffness * contactsOfAGrain * largestMobility_);
+        const double frequency = std::sqrt(2 * raised * contactsOfAGrain * largestMobility_);
         const double share = dampingRatio * std::sqrt(raised * contactsOfAGrain * largestSpread_);
         return 2 / (frequency * (std::sqrt(1 + share * share) + share));
     }
 
 private:
     double largestSpread_ = 0;
+    /// Stiffness times spread over mass [1/s2].
     double largestMobility_ = 0;
 };
 

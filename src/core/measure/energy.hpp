@@ -1,10 +1,7 @@
 #pragma once
 
-#include "core/contact/contact.hpp"
-#include "core/contact/linearLaw.hpp"
+#include "core/contact/contactState.hpp"
 #include "core/dynamics/bodies.hpp"
-
-#include <vector>
 
 namespace chesil
 {
@@ -27,18 +24,13 @@ inline double kineticEnergy(const Bodies<2>& bodies)
     return sum;
 }
 
-/// Energy stored in all contacts [J].
-inline double contactEnergy(const LinearLaw& law, const std::vector<Contact<2>>& contacts)
+/// Energy stored in a contact's normal and tangential spring [J]; `stretch` is the tangential one's [m]. Without cohesion.
+template <class Law, int Dim>
+double elasticEnergy(const Law& law, const ContactState<Dim>& contact, const Vector<Dim>& stretch)
 {
-    double sum = 0;
-    for (const Contact<2>& contact : contacts)
-    {
-        if (contact.depth > 0)
-        {
-            sum += elasticEnergy(law, contact.depth, contact.spring);
-        }
-    }
-    return sum;
+    const ContactSprings springs = law.springs(contact);
+    return Law::energyShare * springs.normalForce * contact.depth
+        + 0.5 * springs.tangentialStiffness * stretch.squaredNorm();
 }
 
 } // namespace chesil

@@ -46,4 +46,25 @@ inline Vector2 support(const Shape& shape, const Vector2& direction)
     return std::visit([&](const auto& s) { return s.support(direction); }, shape);
 }
 
+/// Radius of curvature of the outline at a unit normal [m]: 0 at a corner, infinite within a straight side.
+inline double curvatureRadius(const Shape& shape, const Vector2& normal)
+{
+    return std::visit([&](const auto& s) { return s.curvedSupport(normal).radius.value; }, shape);
+}
+
+/// Whether the outline is curved all round: no corners, no straight sides.
+inline bool isSmooth(const Shape& shape)
+{
+    return std::visit(
+        [](const auto& s)
+        {
+            if constexpr (std::decay_t<decltype(s)>::mayHaveStraightSides)
+            {
+                return s.leastRadius() > 0 && !s.hasStraightSides();
+            }
+            return true;
+        },
+        shape);
+}
+
 } // namespace chesil

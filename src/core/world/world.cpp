@@ -1,11 +1,9 @@
 #include "core/world/world.hpp"
 
-#include "core/dynamics/localDamping.hpp"
+#include "core/contact/rollingResistance.hpp"
 #include "core/dynamics/stableTimeStep.hpp"
 #include "core/dynamics/velocityVerlet.hpp"
 #include "core/world/flatContact.hpp"
-#include "core/world/pairContact.hpp"
-#include "core/world/wallContact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,22 +19,56 @@ namespace
 /// between long lists and frequent searches is flat around it.
 constexpr double skinShare = 0.3;
 
+template <class Predicate>
+bool anyLaw(const ContactLaws& laws, Predicate predicate)
+{
+    return std::visit([&](const auto& table) { return table.any(predicate); }, laws);
+}
+
+bool isFrictional(const ContactLaws& laws)
+{
+    return anyLaw(laws, [](const auto& law) { return law.frictional(); });
+}
+
+bool resistsRolling(const ContactLaws& laws)
+{
+    return anyLaw(laws, [](const auto& law) { return law.rollingFriction > 0; });
+}
+
 } // namespace
 
-World::World(WorldSettings settings) : settings_(std::move(settings))
+std::string describe(StepStatus status, std::size_t brokenGrain)
+{
+    const std::string grain = "grain " + std::to_string(brokenGrain);
+    switch (status)
+    {
+    case StepStatus::done:
+        return "done";
+    case StepStatus::notFinite:
+        return "the state of " + grain + " is no finite number";
+    case StepStatus::tooDeep:
+        return "a contact of " + grain + " is deeper than its law and the time step hold for";
+    }
+    return "";
+}
+
+World::World(WorldSettings settings)
+: settings_(std::move(settings)), list_(isFrictional(settings_.contact), resistsRolling(settings_.contact))
 {
     for (const NamedShape& named : settings_.shapes)
     {
         masses_.push_back(massProperties(named.shape));
         straightSided_.push_back(hasStraightSides(named.shape));
+        stiffness_.push_back(largestStiffness(boundingRadius(named.shape)));
     }
     double smallest = std::numeric_limits<double>::infinity();
     for (const GrainState& grain : settings_.grains)
     {
         const auto shape = static_cast<std::size_t>(grain.shape);
         const double radius = boundingRadius(settings_.shapes[shape].shape);
-        const double mass = settings_.density * masses_[shape].area;
-        const double inertia = settings_.density * masses_[shape].polarMoment;
+        const double density = settings_.materials[static_cast<std::size_t>(grain.material)].density;
+        const double mass = density * masses_[shape].area;
+        const double inertia = density * masses_[shape].polarMoment;
         bodies_.pose.push_back({grain.position, Rotation<2>(grain.angle)});
         bodies_.velocity.push_back(grain.velocity);
         bodies_.angularVelocity.push_back(grain.angularVelocity);
@@ -52,14 +84,30 @@ World::World(WorldSettings settings) : settings_(std::move(settings))
     skin_ = bodies_.size() > 0 ? skinShare * smallest : 0;
 }
 
+double World::largestStiffness(double radius) const
+{
+    return std::visit(
+        [radius](const auto& table)
+        {
+            double largest = 0;
+            for (const auto& law : table.all())
+            {
+                largest = std::max(largest, law.largestStiffness(radius));
+            }
+            return largest;
+        },
+        settings_.contact);
+}
+
 void World::immerse(double fluidDensity, double virtualMass)
 {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
-        weights_[i] = (settings_.density - fluidDensity) * areaOf(i) * settings_.gravity;
+        const double ownDensity = settings_.materials[materialOf(i)].density;
+        weights_[i] = (ownDensity - fluidDensity) * areaOf(i) * settings_.gravity;
         if (bodies_.inverseMass[i] > 0)
         {
-            const double density = settings_.density + virtualMass * fluidDensity;
+            const double density = ownDensity + virtualMass * fluidDensity;
             bodies_.inverseMass[i] = 1 / (density * areaOf(i));
             bodies_.inverseInertia[i] = 1 / (density * polarMomentOf(i));
         }
@@ -79,17 +127,31 @@ double World::sizeOf(std::size_t grain) const
 
 double World::stableTimeStep() const
 {
-    const double stiffness = std::max(settings_.contact.normalStiffness, settings_.contact.tangentialStiffness);
+    double dampingRatio = 0;
+    double rollingFriction = 0;
+    std::visit(
+        [&](const auto& table)
+        {
+            for (const auto& law : table.all())
+            {
+                dampingRatio = std::max(dampingRatio, law.dampingRatio);
+                rollingFriction = std::max(rollingFriction, law.rollingFriction);
+            }
+        },
+        settings_.contact);
     StableTimeStep step;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
         if (bodies_.inverseMass[i] > 0)
         {
             const int places = isStraightSided(i) ? 2 : 1;
-            step.add(1 / bodies_.inverseMass[i], 1 / bodies_.inverseInertia[i], bodies_.boundingRadius[i], places);
+            const double stiffness = stiffness_[static_cast<std::size_t>(bodies_.shape[i])];
+            step.add(
+                1 / bodies_.inverseMass[i], 1 / bodies_.inverseInertia[i], bodies_.boundingRadius[i], stiffness, places,
+                rollingStiffness * rollingFriction * rollingFriction);
         }
     }
-    return step.of(stiffness, settings_.contact.dampingRatio, settings_.localDamping);
+    return step.of(dampingRatio, settings_.localDamping);
 }
 
 StepStatus World::step(double timeStep)
@@ -98,21 +160,7 @@ StepStatus World::step(double timeStep)
     drift(bodies_, timeStep);
     updateForces(timeStep);
     kick(bodies_, timeStep / 2);
-    return checkFinite();
-}
-
-void World::updateForces(double timeStep)
-{
-    updateNeighbours();
-    applyWeights();
-    for (std::size_t i = 0; i < contacts_.size(); i += placesOf(i))
-    {
-        resolve(i, timeStep);
-    }
-    if (settings_.localDamping > 0)
-    {
-        dampLocally(bodies_, settings_.localDamping);
-    }
+    return tooDeep_ ? StepStatus::tooDeep : checkFinite();
 }
 
 bool World::neighboursAreStale() const
@@ -144,211 +192,25 @@ void World::updateNeighbours()
     }
 }
 
-void World::addPair(std::int32_t first, std::int32_t second, bool flat)
-{
-    contacts_.push_back({first, second});
-    if (flat)
-    {
-        contacts_.push_back({first, second, 1});
-    }
-}
-
-std::size_t World::placesOf(std::size_t contact) const
-{
-    return contact + 1 < contacts_.size() && contacts_[contact + 1].place == 1 ? 2 : 1;
-}
-
 void World::findContacts()
 {
-    std::swap(contacts_, lastContacts_);
-    contacts_.clear();
+    list_.restart();
     for (const auto& [first, second] : search_.find(positionsAtSearch_, bodies_.boundingRadius, skin_))
     {
         const bool flat = isStraightSided(static_cast<std::size_t>(first)) && isStraightSided(static_cast<std::size_t>(second));
-        addPair(first, second, flat);
+        list_.add(first, second, flat);
     }
-    const auto firstWallContact = contacts_.size();
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
         for (std::size_t w = settings_.walls.size(); w-- > 0;)
         {
             if (settings_.walls[w].distance(positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + skin_)
             {
-                addPair(static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w), isStraightSided(i));
+                list_.add(static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w), isStraightSided(i));
             }
         }
     }
-
-    // What pairs remember goes along. Both lists are sorted by key within grains and within walls.
-    const auto carry = [](auto begin, auto end, auto oldBegin, auto oldEnd)
-    {
-        for (auto old = oldBegin; begin != end && old != oldEnd;)
-        {
-            if (begin->key() == old->key())
-            {
-                *begin++ = *old++;
-            }
-            else if (begin->key() < old->key())
-            {
-                ++begin;
-            }
-            else
-            {
-                ++old;
-            }
-        }
-    };
-    const auto isWall = [](const Contact<2>& contact) { return contact.withWall(); };
-    const auto wallBegin = contacts_.begin() + static_cast<std::ptrdiff_t>(firstWallContact);
-    const auto oldWallBegin = std::find_if(lastContacts_.begin(), lastContacts_.end(), isWall);
-    carry(contacts_.begin(), wallBegin, lastContacts_.begin(), oldWallBegin);
-    carry(wallBegin, contacts_.end(), oldWallBegin, lastContacts_.end());
-}
-
-void World::applyWeights()
-{
-    const bool loaded = !externalForces_.empty();
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        bodies_.force[i] = loaded ? Vector2(weights_[i] + externalForces_[i]) : weights_[i];
-        bodies_.torque[i] = loaded ? externalTorques_[i] : 0;
-    }
-}
-
-void World::resolve(std::size_t index, double timeStep)
-{
-    Contact<2>& contact = contacts_[index];
-    Contact<2>* second = placesOf(index) == 2 ? &contacts_[index + 1] : nullptr;
-    ContactGeometry<2> found;
-    if (!(contact.withWall() ? touchesWall(contact, found) : touchesGrain(contact, found)))
-    {
-        release(contact);
-        if (second)
-        {
-            release(*second);
-        }
-        return;
-    }
-    contact.normal = found.normal;
-    std::array<ContactGeometry<2>, 2> places;
-    if (second && areFlat(contact, found, places))
-    {
-        // The one corner of a tilted side is the same contact, whichever end of the other shape it is.
-        const bool first = contact.depth > 0;
-        if (first != (second->depth > 0) && !(places[first ? 0 : 1].depth > 0))
-        {
-            std::swap(contact.spring, second->spring);
-        }
-        load(contact, places[0], timeStep);
-        load(*second, places[1], timeStep);
-        return;
-    }
-    load(contact, found, timeStep);
-    if (second)
-    {
-        release(*second);
-    }
-}
-
-void World::load(Contact<2>& contact, const ContactGeometry<2>& geometry, double timeStep)
-{
-    if (!(geometry.depth > 0))
-    {
-        release(contact);
-        return;
-    }
-    contact.depth = geometry.depth;
-    contact.normal = geometry.normal;
-    contact.point = geometry.point;
-    loadBodies(contact, timeStep);
-}
-
-void World::release(Contact<2>& contact)
-{
-    contact.depth = 0;
-    contact.spring = Vector2::Zero();
-    contact.force = Vector2::Zero();
-}
-
-bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const
-{
-    const auto i = static_cast<std::size_t>(contact.first);
-    if (contact.withWall())
-    {
-        return flatContact(shapeOf(i), bodies_.pose[i], settings_.walls[contact.wall()], found, places);
-    }
-    const auto j = static_cast<std::size_t>(contact.second);
-    return flatContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], found, places);
-}
-
-bool World::touchesGrain(Contact<2>& contact, ContactGeometry<2>& found)
-{
-    const PairStatus status = queryGrains(contact, found);
-    if (status == PairStatus::undecided || status == PairStatus::coarse)
-    {
-        ++doubtfulQueries_;
-    }
-    return status == PairStatus::overlapping || status == PairStatus::coarse;
-}
-
-PairStatus World::queryGrains(Contact<2>& contact, ContactGeometry<2>& found)
-{
-    const auto i = static_cast<std::size_t>(contact.first);
-    const auto j = static_cast<std::size_t>(contact.second);
-    SearchStart start{contact.normal, contact.turn};
-    QueryCost cost;
-    const PairStatus status = settings_.contactStatistics
-        ? pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], start, found, cost)
-        : pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], start, found);
-    contact.normal = start.direction;
-    contact.turn = start.turn;
-    if (!settings_.contactStatistics)
-    {
-        return status;
-    }
-    ++contactStatistics_.queries;
-    contactStatistics_.contacts += status == PairStatus::overlapping || status == PairStatus::coarse;
-    contactStatistics_.supportCalls += static_cast<std::size_t>(cost.supportCalls);
-    contactStatistics_.sweeps += cost.swept;
-    return status;
-}
-
-bool World::touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const
-{
-    const auto i = static_cast<std::size_t>(contact.first);
-    const PlaneWall<2>& wall = settings_.walls[contact.wall()];
-    const Pose<2>& pose = bodies_.pose[i];
-    return wall.distance(pose.position) <= bodies_.boundingRadius[i] && wallContact(shapeOf(i), pose, wall, found);
-}
-
-void World::loadBodies(Contact<2>& contact, double timeStep)
-{
-    const auto i = static_cast<std::size_t>(contact.first);
-    const Vector2 armI = contact.point - bodies_.pose[i].position;
-    const Vector2 velocityI = bodies_.velocity[i] + velocityAt(bodies_.angularVelocity[i], armI);
-    double inverseMass = bodies_.inverseMass[i];
-    Vector2 relative = velocityI;
-    Vector2 armJ = Vector2::Zero();
-    if (!contact.withWall())
-    {
-        const auto j = static_cast<std::size_t>(contact.second);
-        armJ = contact.point - bodies_.pose[j].position;
-        relative -= bodies_.velocity[j] + velocityAt(bodies_.angularVelocity[j], armJ);
-        inverseMass += bodies_.inverseMass[j];
-    }
-    // Two driven bodies feel no force; any mass does.
-    const double effectiveMass = inverseMass > 0 ? 1 / inverseMass : 0;
-    const ContactState<2> state{contact.depth, contact.normal, relative, effectiveMass};
-    contact.force = contactForce(settings_.contact, state, timeStep, contact.spring);
-
-    bodies_.force[i] += contact.force;
-    bodies_.torque[i] += torqueOf(armI, contact.force);
-    if (!contact.withWall())
-    {
-        const auto j = static_cast<std::size_t>(contact.second);
-        bodies_.force[j] -= contact.force;
-        bodies_.torque[j] -= torqueOf(armJ, contact.force);
-    }
+    list_.carryOver();
 }
 
 StepStatus World::checkFinite()
@@ -368,7 +230,7 @@ StepStatus World::checkFinite()
 double World::largestRelativeOverlap() const
 {
     double largest = 0;
-    for (const Contact<2>& contact : contacts_)
+    for (const Contact<2>& contact : contacts())
     {
         double size = sizeOf(static_cast<std::size_t>(contact.first));
         if (!contact.withWall())

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/broadphase/neighbourList.hpp"
-#include "core/contact/contact.hpp"
 #include "core/contact/contactGeometry.hpp"
 #include "core/dynamics/bodies.hpp"
+#include "core/world/contactList.hpp"
 #include "core/world/pairContact.hpp"
 #include "core/world/worldSettings.hpp"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace chesil
@@ -19,7 +20,13 @@ enum class StepStatus
     done,
     /// A grain's position or velocity is no longer a finite number; `World::brokenGrain` tells which.
     notFinite,
+    /// A contact is so deep that it is stiffer than the stable step allows for, and its law does not hold any more
+    /// (HertzMindlinLaw::mostOverlap); `World::brokenGrain` tells where.
+    tooDeep,
 };
+
+/// "the state of grain 3 is no finite number", for the statuses that are failures.
+std::string describe(StepStatus status, std::size_t brokenGrain);
 
 /// What the contact queries of grain pairs have cost since the start.
 struct ContactStatistics
@@ -64,7 +71,13 @@ public:
 
     /// Near pairs, those in contact with depth > 0, sorted; grains with grains first, then with walls. A pair of shapes
     /// with straight sides has two entries, for both ends of a flat contact.
-    const std::vector<Contact<2>>& contacts() const { return contacts_; }
+    const std::vector<Contact<2>>& contacts() const { return list_.contacts(); }
+
+    /// Entry i's elastic tangential displacement of the first body against the second [m]; empty without friction.
+    const std::vector<Vector2>& springs() const { return list_.springs(); }
+
+    /// Stored in the springs of all contacts [J], cohesion left out.
+    double contactEnergy() const;
 
     const Shape& shapeOf(std::size_t grain) const
     {
@@ -93,22 +106,35 @@ private:
     void findContacts();
     bool neighboursAreStale() const;
     void applyWeights();
-    void addPair(std::int32_t first, std::int32_t second, bool flat);
-    std::size_t placesOf(std::size_t contact) const;
     bool isStraightSided(std::size_t grain) const { return straightSided_[static_cast<std::size_t>(bodies_.shape[grain])]; }
-    void resolve(std::size_t index, double timeStep);
+    std::size_t materialOf(std::size_t grain) const { return static_cast<std::size_t>(settings_.grains[grain].material); }
+    double largestStiffness(double radius) const;
+    template <class Law>
+    void resolveAll(const LawTable<Law>& laws, double timeStep);
+    template <class Law>
+    const Law& lawOf(const LawTable<Law>& laws, const Contact<2>& contact) const;
+    template <class Law>
+    void resolve(const LawTable<Law>& laws, std::size_t index, double timeStep);
     bool touchesGrain(Contact<2>& contact, ContactGeometry<2>& found);
     PairStatus queryGrains(Contact<2>& contact, ContactGeometry<2>& found);
     bool touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const;
     bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
-    void load(Contact<2>& contact, const ContactGeometry<2>& geometry, double timeStep);
-    static void release(Contact<2>& contact);
-    void loadBodies(Contact<2>& contact, double timeStep);
+    template <class Law>
+    void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep);
+    template <class Law>
+    void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep);
+    double effectiveRadius(const Contact<2>& contact) const;
+    double rollingRadius(const Contact<2>& contact) const;
+    void noteStiffness(std::size_t i, std::size_t j, const ContactSprings& springs);
+    template <class Law>
+    double energyOf(const Law& law, std::size_t index) const;
     StepStatus checkFinite();
 
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
     std::vector<bool> straightSided_;
+    /// Of each shape: largest stiffness of its contacts that the stable step allows for [N/m].
+    std::vector<double> stiffness_;
     Bodies<2> bodies_;
     std::vector<Vector2> weights_;
     std::vector<Vector2> externalForces_;
@@ -117,8 +143,8 @@ private:
     NeighbourSearch search_;
     double skin_ = 0;
     std::vector<Vector2> positionsAtSearch_;
-    std::vector<Contact<2>> contacts_;
-    std::vector<Contact<2>> lastContacts_;
+    ContactList list_;
+    bool tooDeep_ = false;
     std::size_t brokenGrain_ = 0;
     std::size_t doubtfulQueries_ = 0;
     ContactStatistics contactStatistics_;

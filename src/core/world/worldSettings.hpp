@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/boundary/planeWall.hpp"
-#include "core/contact/linearLaw.hpp"
+#include "core/contact/contactLaws.hpp"
 #include "core/shapes/shape.hpp"
 
+#include <string>
 #include <vector>
 
 namespace chesil
@@ -20,6 +21,15 @@ struct GrainState
     double angularVelocity = 0;
     /// Keeps its velocity whatever the forces.
     bool driven = false;
+    /// Index of its material.
+    int material = 0;
+};
+
+struct Material
+{
+    std::string name;
+    /// [kg/m3]; 2D grains are 1 m deep.
+    double density = 0;
 };
 
 /// All that a world is made from.
@@ -28,14 +38,19 @@ struct WorldSettings
     std::vector<NamedShape> shapes;
     std::vector<GrainState> grains;
     std::vector<PlaneWall<2>> walls;
-    /// [kg/m3]; 2D grains are 1 m deep.
-    double density = 0;
+    /// At least one; the contact law's tables have as many.
+    std::vector<Material> materials = std::vector<Material>(1);
     Vector2 gravity = Vector2::Zero();
-    LinearLaw contact;
+    ContactLaws contact;
     /// Share of local non-viscous damping, 0 <= share < 1.
     double localDamping = 0;
+    /// Drag over momentum, >= 0 [1/s].
+    double viscousDamping = 0;
     /// Count what contact queries cost: World::contactStatistics().
     bool contactStatistics = false;
+
+    /// Of a scene with one material and linear contacts.
+    LinearLaw& linear() { return std::get<LawTable<LinearLaw>>(contact).only(); }
 };
 
 } // namespace chesil

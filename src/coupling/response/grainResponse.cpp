@@ -57,9 +57,10 @@ StepStatus GrainResponse::advance(const GrainLoads& forcing, double interval)
     world_.updateForces();
     for (int step = 0; step < substeps_; ++step)
     {
-        if (world_.step(substep) != StepStatus::done)
+        const StepStatus status = world_.step(substep);
+        if (status != StepStatus::done)
         {
-            return StepStatus::notFinite;
+            return status;
         }
     }
 

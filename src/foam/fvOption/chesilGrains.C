@@ -147,11 +147,13 @@ void Foam::fv::chesilGrains::moveTo
     // A number out of range ends the run below, by name, not by a signal
     const untrappedArithmetic guard;
     writeSeries();
-    if (response_->advance(loads_, runTime.deltaTValue()) != chesil::StepStatus::done)
+    const chesil::StepStatus status =
+        response_->advance(loads_, runTime.deltaTValue());
+    if (status != chesil::StepStatus::done)
     {
         FatalErrorInFunction
-            << "at time " << runTime.value() << " s the state of grain "
-            << label(world_->brokenGrain()) << " is no finite number"
+            << "at time " << runTime.value() << " s: "
+            << chesil::describe(status, world_->brokenGrain()).c_str()
             << exit(FatalError);
     }
 

@@ -5,6 +5,7 @@
 
 #include "worldSettingsReader.H"
 #include "checkedDictionary.H"
+#include "contactSettings.H"
 #include "grainSettings.H"
 #include "readingGuards.H"
 #include "shapeSettings.H"
@@ -27,38 +28,21 @@ using Foam::scalar;
 
 const std::vector<std::string> knownNames
 {
-    "gravity", "material", "contact", "damping", "walls", "shapes", "grains",
+    "gravity", "material", "materials", "contact", "damping", "walls", "shapes", "grains",
     "timeStep", "stopAtRest", "contactStatistics", "fluid", "variables"
 };
 
-chesil::LinearLaw readContact(const dictionary& dict)
-{
-    const checkedDictionary entries
-    (
-        dict,
-        {"normalStiffness", "tangentialStiffness", "friction", "restitution"}
-    );
-    chesil::LinearLaw law;
-    law.normalStiffness = entries.positive("normalStiffness");
-    law.tangentialStiffness =
-        entries.notNegative("tangentialStiffness", law.normalStiffness);
-    law.friction = entries.notNegative("friction", 0);
-    if (entries.found("restitution"))
-    {
-        law.dampingRatio = chesil::dampingRatioOf
-        (
-            entries.numberIn("restitution", 1e-3, 1, "a number in [0.001, 1]")
-        );
-    }
-    return law;
-}
-
-std::vector<chesil::PlaneWall<2>> readWalls(const dictionary& dict)
+std::vector<chesil::PlaneWall<2>> readWalls
+(
+    const dictionary& dict,
+    const Foam::materialSettings& materials
+)
 {
     std::vector<chesil::PlaneWall<2>> walls;
     for (const Foam::word& name : checkedDictionary::subDictNames(dict))
     {
-        const checkedDictionary entries(dict.subDict(name), {"point", "normal"});
+        const checkedDictionary entries
+            (dict.subDict(name), {"point", "normal", "material"});
         const chesil::Vector2 normal = entries.planeVector("normal");
         if (!(normal.norm() > 0))
         {
@@ -70,7 +54,12 @@ std::vector<chesil::PlaneWall<2>> readWalls(const dictionary& dict)
             );
         }
         walls.push_back
-            ({name, entries.planeVector("point"), normal.normalized()});
+        ({
+            name,
+            entries.planeVector("point"),
+            normal.normalized(),
+            materials.read(entries)
+        });
     }
     return walls;
 }
@@ -235,24 +224,29 @@ Foam::caseSettings Foam::readCase
     caseSettings result;
     chesil::WorldSettings& world = result.world;
     world.gravity = entries.planeVector("gravity");
-    world.density =
-        checkedDictionary(entries.subDict("material"), {"density"})
-       .positive("density");
-    world.contact = readContact(entries.subDict("contact"));
+    const materialSettings materials = readMaterials(entries);
+    world.materials = materials.materials;
     if (entries.found("damping"))
     {
-        const checkedDictionary damping(entries.subDict("damping"), {"local"});
-        world.localDamping =
-            damping.numberIn("local", 0, 1 - SMALL, "a number in [0, 1)");
+        const checkedDictionary damping
+            (entries.subDict("damping"), {"local", "viscous"});
+        if (damping.found("local"))
+        {
+            world.localDamping =
+                damping.numberIn("local", 0, 1 - SMALL, "a number in [0, 1)");
+        }
+        world.viscousDamping = damping.notNegative("viscous", 0);
     }
     world.contactStatistics = entries.flag("contactStatistics", false);
     if (entries.found("walls"))
     {
-        world.walls = readWalls(entries.subDict("walls"));
+        world.walls = readWalls(entries.subDict("walls"), materials);
     }
     const shapeGroups shapes =
         readShapes(entries.subDict("shapes"), runTime.globalPath());
     world.shapes = shapes.shapes;
+    world.contact =
+        readContactLaws(entries.subDict("contact"), materials, shapes.shapes);
     world.grains = readGrains(entries.subDict("grains"), shapes, world.walls);
     if (world.grains.empty())
     {

@@ -37,8 +37,8 @@ WorldSettings ellipseSettings()
 {
     WorldSettings settings;
     settings.shapes.push_back({"ellipse", Ellipse(longAxis, shortAxis)});
-    settings.density = density;
-    settings.contact.normalStiffness = stiffness;
+    settings.materials[0].density = density;
+    settings.linear().normalStiffness = stiffness;
     return settings;
 }
 

@@ -22,7 +22,7 @@ struct EnergyErrors
 inline double totalEnergy(const World& world)
 {
     const Bodies<2>& bodies = world.bodies();
-    double energy = kineticEnergy(bodies) + contactEnergy(world.settings().contact, world.contacts());
+    double energy = kineticEnergy(bodies) + world.contactEnergy();
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
         energy -= world.settings().gravity.dot(bodies.pose[i].position) / bodies.inverseMass[i];

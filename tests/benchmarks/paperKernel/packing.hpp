@@ -78,11 +78,11 @@ inline Shape randomShape(int kind, const PackingOptions& options, test::RandomSo
 inline WorldSettings packingSettings(const PackingOptions& options)
 {
     WorldSettings settings;
-    settings.density = options.density;
+    settings.materials[0].density = options.density;
     settings.gravity = Vector2(0, -options.gravity);
-    settings.contact.normalStiffness = options.stiffness;
-    settings.contact.tangentialStiffness = options.stiffness;
-    settings.contact.friction = options.friction;
+    settings.linear().normalStiffness = options.stiffness;
+    settings.linear().tangentialStiffness = options.stiffness;
+    settings.linear().friction = options.friction;
     settings.localDamping = options.localDamping;
     settings.walls = {{"floor", Vector2::Zero(), Vector2::UnitY()},
                       {"left", Vector2::Zero(), Vector2::UnitX()},

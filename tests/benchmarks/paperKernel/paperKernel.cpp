@@ -31,7 +31,7 @@ void reportPacking(const World& world, double seconds)
     std::printf("    settled in %.0f s of CPU time: mean speed %.1e m/s, kinetic over contact "
                 "energy %.1e, %.2f contacts a grain, largest overlap %.1e\n",
                 seconds, speed,
-                kineticEnergy(world.bodies()) / contactEnergy(world.settings().contact, world.contacts()),
+                kineticEnergy(world.bodies()) / world.contactEnergy(),
                 touching / static_cast<double>(world.bodies().size()), world.largestRelativeOverlap());
 }
 

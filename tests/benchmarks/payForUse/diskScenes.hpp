@@ -46,8 +46,8 @@ inline WorldSettings boxOf(std::vector<NamedShape> shapes, int grains)
     const double side = std::ceil(1.1 * std::sqrt(grains)) * 2.1 * largestRadius;
     WorldSettings settings;
     settings.shapes = std::move(shapes);
-    settings.density = sceneDensity;
-    settings.contact.normalStiffness = sceneStiffness;
+    settings.materials[0].density = sceneDensity;
+    settings.linear().normalStiffness = sceneStiffness;
     settings.walls = {{"floor", Vector2::Zero(), Vector2::UnitY()},
                       {"left", Vector2::Zero(), Vector2::UnitX()},
                       {"right", Vector2(side, 0), -Vector2::UnitX()},
@@ -67,9 +67,9 @@ inline WorldSettings bedOf(std::vector<NamedShape> shapes, int grains)
 {
     WorldSettings settings = boxOf(std::move(shapes), grains);
     settings.gravity = Vector2(0, -9.81);
-    settings.contact.tangentialStiffness = sceneStiffness;
-    settings.contact.friction = sceneFriction;
-    settings.contact.dampingRatio = 0.5;
+    settings.linear().tangentialStiffness = sceneStiffness;
+    settings.linear().friction = sceneFriction;
+    settings.linear().dampingRatio = 0.5;
     return settings;
 }
 

@@ -184,7 +184,7 @@ void measureFeatures(int grains, Results& results)
     const WorldSettings disks = settledBed(diskShapes(), grains);
     const WorldSettings hexagons = settledBed(shapesOfRadii(hexagon), grains);
     WorldSettings smooth = disks;
-    smooth.contact.friction = 0;
+    smooth.linear().friction = 0;
     WorldSettings damped = disks;
     damped.localDamping = 0.7;
     measureSteps({{"disks", disks},

@@ -1,5 +1,8 @@
 #include "core/contact/linearLaw.hpp"
 
+#include "core/contact/contactForce.hpp"
+#include "core/contact/restitution.hpp"
+
 #include "unit/randomGrain.hpp"
 
 #include <gtest/gtest.h>
@@ -26,14 +29,13 @@ double reboundOf(double dampingRatio, double mass1, double mass2, int steps)
     double velocity1 = 0.75;
     double velocity2 = -0.25;
     double force = 0;
-    Vector2 spring = Vector2::Zero();
     for (int i = 0; i == 0 || overlap > 0; ++i)
     {
         velocity1 -= timeStep / 2 * force / mass1;
         velocity2 += timeStep / 2 * force / mass2;
         overlap += timeStep * (velocity1 - velocity2);
         const ContactState<2> state{overlap, Vector2(1, 0), Vector2(velocity1 - velocity2, 0), effectiveMass};
-        force = overlap > 0 ? -contactForce(law, state, timeStep, spring).x() : 0;
+        force = overlap > 0 ? -contactForce<LinearLaw, 2>(law, state, timeStep, nullptr).force.x() : 0;
         velocity1 -= timeStep / 2 * force / mass1;
         velocity2 += timeStep / 2 * force / mass2;
         if (i > 1000 * steps)
@@ -85,18 +87,16 @@ TEST(LinearLaw, normalForceIsTheSpringsAndNeverAttracts)
     law.normalStiffness = stiffness;
     law.dampingRatio = 0.5;
     test::RandomSource random(111);
-    Vector2 spring = Vector2::Zero();
     for (int i = 0; i < 1000; ++i)
     {
         const Vector2 normal = random.direction();
         const Vector2 velocity = random.logUniform(1e-6, 1e2) * random.direction();
         const ContactState<2> state{random.logUniform(1e-12, 1e-3), normal, velocity, 0.3};
         const double damping = 2 * 0.5 * std::sqrt(0.3 * stiffness);
-        const Vector2 force = contactForce(law, state, 1e-6, spring);
+        const Vector2 force = contactForce<LinearLaw, 2>(law, state, 1e-6, nullptr).force;
         const double expected = std::max(0.0, stiffness * state.depth + damping * velocity.dot(normal));
         EXPECT_NEAR(force.dot(normal), -expected, 1e-12 * (expected + 1));
         EXPECT_NEAR(cross(force, normal), 0, 1e-12 * (expected + 1));
-        EXPECT_EQ(spring, Vector2::Zero());
     }
 }
 
@@ -112,7 +112,7 @@ TEST(LinearLaw, frictionIsElasticUpToCoulombsLimitAndSlidesThere)
     for (int i = 0; i < 1000; ++i)
     {
         const ContactState<2> state{depth, Vector2(0, 1), Vector2(speed, 0), 1};
-        const Vector2 force = contactForce(law, state, timeStep, spring);
+        const Vector2 force = contactForce(law, state, timeStep, &spring).force;
         slipped += speed * timeStep;
         const double expected = std::min(limit, law.tangentialStiffness * slipped);
         ASSERT_NEAR(force.x(), -expected, 1e-12 * limit) << "step " << i;
@@ -121,7 +121,7 @@ TEST(LinearLaw, frictionIsElasticUpToCoulombsLimitAndSlidesThere)
     // Having slid, it unloads elastically: back by half of the spring leaves half of the force.
     const double half = limit / law.tangentialStiffness / 2;
     const ContactState<2> back{depth, Vector2(0, 1), Vector2(-half / timeStep, 0), 1};
-    EXPECT_NEAR(contactForce(law, back, timeStep, spring).x(), -limit / 2, 1e-9 * limit);
+    EXPECT_NEAR(contactForce(law, back, timeStep, &spring).force.x(), -limit / 2, 1e-9 * limit);
 }
 
 TEST(LinearLaw, coulombsLimitHoldsWhateverTheState)
@@ -135,7 +135,7 @@ TEST(LinearLaw, coulombsLimitHoldsWhateverTheState)
         Vector2 spring = random.logUniform(1e-9, 1e-3) * random.direction();
         const ContactState<2> state{random.logUniform(1e-9, 1e-3), normal,
                                     random.logUniform(1e-6, 1) * random.direction(), 0.7};
-        const Vector2 force = contactForce(law, state, 1e-5, spring);
+        const Vector2 force = contactForce(law, state, 1e-5, &spring).force;
         const double normalForce = -force.dot(normal);
         EXPECT_GE(normalForce, 0);
         EXPECT_LE(std::abs(cross(normal, force)), 0.3 * normalForce * (1 + 1e-12) + 1e-15);
@@ -158,7 +158,7 @@ TEST(LinearLaw, theSpringTurnsWithTheContactAndKeepsItsLength)
     {
         angle += random.uniform(-0.5, 0.5);
         const Vector2 normal(std::cos(angle), std::sin(angle));
-        contactForce(law, ContactState<2>{1e-5, normal, Vector2::Zero(), 1}, 1e-5, spring);
+        contactForce(law, ContactState<2>{1e-5, normal, Vector2::Zero(), 1}, 1e-5, &spring);
         ASSERT_NEAR(spring.norm(), 1e-6, 1e-6 * 1e-12);
         ASSERT_NEAR(spring.dot(normal), 0, 1e-6 * 1e-14);
         ASSERT_GT(cross(normal, spring), 0) << "it never changes sides";
@@ -186,7 +186,7 @@ TEST(LinearLaw, aBlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove)
             velocity += timeStep / 2 / mass * force;
             position += timeStep * velocity;
             force = weight + contactForce(law, ContactState<2>{-position.y(), normal, velocity, mass},
-                                          timeStep, spring);
+                                          timeStep, &spring).force;
             velocity += timeStep / 2 / mass * force;
         }
         return position.x();
@@ -202,10 +202,4 @@ TEST(LinearLaw, aBlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove)
         const double acceleration = 9.81 * (std::sin(incline) - friction * std::cos(incline));
         EXPECT_NEAR((slideAfter(incline, 1.0) - 2 * slideAfter(incline, 0.5)) / (acceleration / 4), 1, 1e-3);
     }
-}
-
-TEST(LinearLaw, elasticEnergyIsTheWorkOfItsSprings)
-{
-    const LinearLaw law = frictional(1);
-    EXPECT_DOUBLE_EQ(elasticEnergy<2>(law, 2e-3, Vector2(3e-4, 4e-4)), 0.5 * (1e6 * 4e-6 + 0.5e6 * 25e-8));
 }

@@ -1,5 +1,8 @@
 #include "core/measure/energy.hpp"
 
+#include "core/contact/hertzMindlinLaw.hpp"
+#include "core/contact/linearLaw.hpp"
+
 #include <gtest/gtest.h>
 
 using namespace chesil;
@@ -15,14 +18,25 @@ TEST(Energy, kineticEnergyOfWhatMoves)
     EXPECT_DOUBLE_EQ(kineticEnergy(bodies), 0.5 * 2 * 25 + 0.5 * 8 * 4);
 }
 
-TEST(Energy, contactEnergyOfWhatTouches)
+TEST(Energy, springsStoreWhatPushesThemIn)
 {
-    LinearLaw law;
-    law.normalStiffness = 1e6;
-    law.tangentialStiffness = 1e5;
-    Contact<2> touching{0, 1};
-    touching.depth = 1e-3;
-    touching.spring = Vector2(3e-4, -4e-4);
-    const Contact<2> apart{0, 2};
-    EXPECT_DOUBLE_EQ(contactEnergy(law, {touching, apart}), 0.5 + 0.5 * 1e5 * 25e-8);
+    LinearLaw linear;
+    linear.normalStiffness = 1e6;
+    linear.tangentialStiffness = 1e5;
+    ContactState<2> contact{1e-3, Vector2::UnitX(), Vector2::Zero(), 1};
+    EXPECT_DOUBLE_EQ(elasticEnergy(linear, contact, Vector2(3e-4, -4e-4)), 0.5 + 0.5 * 1e5 * 25e-8);
+
+    HertzMindlinLaw hertz;
+    hertz.effectiveModulus = 1e9;
+    hertz.effectiveShearModulus = 4e8;
+    contact.effectiveRadius = 0.02;
+    double work = 0;
+    constexpr int parts = 10000;
+    for (int k = 0; k < parts; ++k)
+    {
+        ContactState<2> part = contact;
+        part.depth = contact.depth * (k + 0.5) / parts;
+        work += hertz.springs(part).normalForce * contact.depth / parts;
+    }
+    EXPECT_NEAR(elasticEnergy(hertz, contact, Vector2(Vector2::Zero())) / work, 1, 1e-7);
 }

@@ -42,7 +42,7 @@ Rest restOf(const Shape& shape)
     settings.grains = {grain};
     World world(settings);
     const double timeStep = 0.5 * world.stableTimeStep();
-    const double weight = settings.density * world.areaOf(0) * 9.81;
+    const double weight = settings.materials[0].density * world.areaOf(0) * 9.81;
 
     world.updateForces();
     int settling = 0;
@@ -111,7 +111,7 @@ TEST(GrainAtRest, aTileRestsOnItsFlatSide)
         settings.shapes = {tile};
         World world(settings);
         const double timeStep = 0.5 * world.stableTimeStep();
-        const double weight = settings.density * world.areaOf(0) * 9.81;
+        const double weight = settings.materials[0].density * world.areaOf(0) * 9.81;
         world.updateForces();
         for (int i = 0; i < 200000; ++i)
         {

@@ -19,18 +19,18 @@ constexpr double side = 0.05;
 WorldSettings stack(const Shape& shape)
 {
     WorldSettings settings = test::quartzSettings();
-    settings.contact.normalStiffness = 1e8;
-    settings.contact.tangentialStiffness = 1e8;
-    settings.contact.friction = 0.5;
+    settings.linear().normalStiffness = 1e8;
+    settings.linear().tangentialStiffness = 1e8;
+    settings.linear().friction = 0.5;
     settings.shapes = {{"square", shape}};
     settings.walls = {test::floorWall()};
     test::RandomSource random(20);
-    const double weight = settings.density * massProperties(shape).area * 9.81;
+    const double weight = settings.materials[0].density * massProperties(shape).area * 9.81;
     double top = 0;
     for (int i = 0; i < squares; ++i)
     {
         // Two places carry it, each with the stiffness of a contact.
-        top -= (squares - i) * weight / (2 * settings.contact.normalStiffness);
+        top -= (squares - i) * weight / (2 * settings.linear().normalStiffness);
         GrainState grain;
         grain.position = Vector2(random.uniform(-0.01, 0.01) * side, top + side / 2);
         grain.angle = random.uniform(-1e-4, 1e-4);
@@ -88,6 +88,6 @@ TEST(SquareStack, standsOnContactDashpotsAlone)
     // apart (a single point that moves along the side can: doc/decisions/11-flatContacts.md).
     WorldSettings settings = stack(test::rectangle(side, side));
     settings.localDamping = 0;
-    settings.contact.dampingRatio = 0.2;
+    settings.linear().dampingRatio = 0.2;
     EXPECT_LT(driftAfter(settings, 5), 2 * bar);
 }

@@ -99,7 +99,7 @@ TEST(World, immerseGivesTheBuoyantWeightAndTheVirtualMass)
 TEST(World, drivenGrainsKeepTheirVelocityButPush)
 {
     WorldSettings settings = test::freeBall();
-    settings.contact.friction = 0;
+    settings.linear().friction = 0;
     settings.grains.push_back(settings.grains[0]);
     settings.grains[0].driven = true;
     settings.grains[0].velocity = Vector2(1, 0);
@@ -120,7 +120,7 @@ TEST(World, drivenGrainsKeepTheirVelocityButPush)
 TEST(World, theStableStepKnowsDampingStiffnessAndVirtualMass)
 {
     WorldSettings settings = test::freeBall();
-    settings.contact.tangentialStiffness = 0;
+    settings.linear().tangentialStiffness = 0;
     const double step = World(settings).stableTimeStep();
     // A disk: 1 + m R^2/I = 3, six contacts.
     const double mass = 2650 * M_PI * 0.05 * 0.05;
@@ -128,12 +128,12 @@ TEST(World, theStableStepKnowsDampingStiffnessAndVirtualMass)
     settings.localDamping = 0.7;
     EXPECT_NEAR(World(settings).stableTimeStep() * std::sqrt(1.7), step, 1e-12 * step);
     settings.localDamping = 0;
-    settings.contact.tangentialStiffness = 4e6;
+    settings.linear().tangentialStiffness = 4e6;
     EXPECT_NEAR(World(settings).stableTimeStep(), step / 2, 1e-12 * step);
-    settings.contact.tangentialStiffness = 0;
-    settings.contact.dampingRatio = 0.1;
+    settings.linear().tangentialStiffness = 0;
+    settings.linear().dampingRatio = 0.1;
     EXPECT_LT(World(settings).stableTimeStep(), 0.9 * step);
-    settings.contact.dampingRatio = 0;
+    settings.linear().dampingRatio = 0;
     World wet(settings);
     wet.immerse(1000, 1);
     EXPECT_NEAR(wet.stableTimeStep(), step * std::sqrt(3650 / 2650.0), 1e-12 * step);

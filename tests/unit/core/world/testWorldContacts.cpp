@@ -19,7 +19,7 @@ TEST(WorldContacts, momentumIsKeptWithoutWallsAndLoads)
     settings.walls.clear();
     settings.gravity = Vector2::Zero();
     settings.localDamping = 0;
-    settings.contact.dampingRatio = 0.2;
+    settings.linear().dampingRatio = 0.2;
     test::RandomSource random(153);
     for (GrainState& grain : settings.grains)
     {
@@ -168,6 +168,6 @@ TEST(WorldContacts, frictionHistoryOutlivesANewNeighbourList)
     // The friction is the spring's, and holds: a forgotten spring would let it creep.
     ASSERT_FALSE(world.contacts().empty());
     EXPECT_NEAR(world.contacts()[0].force.x() / weight, -0.1, 1e-6);
-    EXPECT_NEAR(world.contacts()[0].spring.x() * 1e6 / weight, 0.1, 1e-6);
+    EXPECT_NEAR(world.springs()[0].x() * 1e6 / weight, 0.1, 1e-6);
     EXPECT_LT(world.bodies().velocity[0].norm(), 1e-9);
 }

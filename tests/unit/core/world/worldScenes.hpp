@@ -31,11 +31,11 @@ inline std::vector<NamedShape> shapesOfEachKind(std::uint64_t seed)
 inline WorldSettings quartzSettings()
 {
     WorldSettings settings;
-    settings.density = 2650;
+    settings.materials[0].density = 2650;
     settings.gravity = Vector2(0, -9.81);
-    settings.contact.normalStiffness = 1e6;
-    settings.contact.tangentialStiffness = 1e6;
-    settings.contact.friction = 0.3;
+    settings.linear().normalStiffness = 1e6;
+    settings.linear().tangentialStiffness = 1e6;
+    settings.linear().friction = 0.3;
     settings.localDamping = 0.7;
     return settings;
 }

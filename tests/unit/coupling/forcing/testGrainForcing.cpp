@@ -34,8 +34,8 @@ WorldSettings disks(double radius, const std::vector<GrainState>& grains)
     WorldSettings settings;
     settings.shapes.push_back({"disk", Circle(radius)});
     settings.grains = grains;
-    settings.density = 2;
-    settings.contact.normalStiffness = 1;
+    settings.materials[0].density = 2;
+    settings.linear().normalStiffness = 1;
     return settings;
 }
 

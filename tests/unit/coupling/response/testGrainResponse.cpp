@@ -17,9 +17,9 @@ WorldSettings loneDisk(double density)
     WorldSettings settings;
     settings.shapes.push_back({"disk", Circle(0.01)});
     settings.grains.push_back({});
-    settings.density = density;
+    settings.materials[0].density = density;
     settings.gravity = Vector2(0, -gravity);
-    settings.contact.normalStiffness = 1e5;
+    settings.linear().normalStiffness = 1e5;
     return settings;
 }
 

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/contact/contactState.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chesil
+{
+
+/// What a contact does to the first body; the second gets the opposite.
+template <int Dim>
+struct ContactForce
+{
+    /// [N].
+    Vector<Dim> force;
+    /// Size of the repulsion that friction rests on [N]: elastic and damping part, never negative.
+    double pressing;
+    ContactSprings springs;
+};
+
+/// `spring` is the elastic tangential displacement of the first body against the second [m], carried from step
+/// to step: it is turned into the new tangent plane, lengthened by this step's slip and cut to what friction
+/// holds. Null without friction. Springs and dashpots never attract; cohesion does. The laws: linearLaw.hpp,
+/// hertzMindlinLaw.hpp.
+template <class Law, int Dim>
+ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact, double timeStep, Vector<Dim>* spring)
+{
+    const ContactSprings springs = law.springs(contact);
+    const double approach = contact.relativeVelocity.dot(contact.normal);
+    const double dashpot = 2 * Law::dampingFactor * law.dampingRatio;
+    const double damping = dashpot * std::sqrt(contact.effectiveMass * springs.normalStiffness);
+    const double pressing = std::max(0.0, springs.normalForce + damping * approach);
+    const Vector<Dim> normalPart = (law.cohesion - pressing) * contact.normal;
+    if (!spring)
+    {
+        return {normalPart, pressing, springs};
+    }
+
+    Vector<Dim>& stretch = *spring;
+    const double length = stretch.norm() * springs.springScale;
+    stretch -= stretch.dot(contact.normal) * contact.normal;
+    const double projected = stretch.norm();
+    if (projected > 0)
+    {
+        stretch *= length / projected;
+    }
+    const Vector<Dim> slip = contact.relativeVelocity - approach * contact.normal;
+    stretch += timeStep * slip;
+
+    const double tangentialDamping = dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness);
+    Vector<Dim> tangentialForce = -springs.tangentialStiffness * stretch - tangentialDamping * slip;
+    const double size = tangentialForce.norm();
+    const double most = law.friction * pressing;
+    if (size > most)
+    {
+        tangentialForce *= most / size;
+        stretch = -(tangentialForce + tangentialDamping * slip) / springs.tangentialStiffness;
+    }
+    return {normalPart + tangentialForce, pressing, springs};
+}
+
+} // namespace chesil

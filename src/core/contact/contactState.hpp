@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/vector.hpp"
+
+namespace chesil
+{
+
+/// What a law needs to know of a contact at one instant, world frame.
+template <int Dim>
+struct ContactState
+{
+    double depth;
+    /// Unit, from the first body to the second.
+    Vector<Dim> normal;
+    /// Velocity of the first body less that of the second, at the contact point [m/s].
+    Vector<Dim> relativeVelocity;
+    /// m1 m2/(m1 + m2) [kg].
+    double effectiveMass;
+    /// 1/(1/r1 + 1/r2) of the radii of curvature [m]; for laws that say usesCurvature.
+    double effectiveRadius = 0;
+    /// Depth one step ago [m], 0 if there was no contact.
+    double previousDepth = 0;
+};
+
+/// A contact's elastic part at one instant.
+struct ContactSprings
+{
+    /// Repulsive normal force [N].
+    double normalForce;
+    /// Its slope, and the stiffness against slip [N/m].
+    double normalStiffness;
+    double tangentialStiffness;
+    /// What the tangential spring's length is multiplied with because its stiffness has changed since the last step.
+    double springScale;
+};
+
+} // namespace chesil
