@@ -2,6 +2,7 @@
 
 #include "core/base/pose.hpp"
 #include "core/base/vector.hpp"
+#include "core/boundary/wallMotion.hpp"
 
 #include <string>
 
@@ -19,6 +20,7 @@ struct PlaneWall
     Vector<Dim> normal;
     /// Index of its material.
     int material = 0;
+    WallMotion motion{};
 
     double distance(const Vector<Dim>& position) const { return (position - point).dot(normal); }
 };

@@ -16,6 +16,8 @@ struct ContactForce
     Vector<Dim> force;
     /// Size of the repulsion that friction rests on [N]: elastic and damping part, never negative.
     double pressing;
+    /// Of the normal dashpot [N s/m].
+    double damping;
     ContactSprings springs;
 };
 
@@ -34,7 +36,7 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     const Vector<Dim> normalPart = (law.cohesion - pressing) * contact.normal;
     if (!spring)
     {
-        return {normalPart, pressing, springs};
+        return {normalPart, pressing, damping, springs};
     }
 
     Vector<Dim>& stretch = *spring;
@@ -57,7 +59,7 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
         tangentialForce *= most / size;
         stretch = -(tangentialForce + tangentialDamping * slip) / springs.tangentialStiffness;
     }
-    return {normalPart + tangentialForce, pressing, springs};
+    return {normalPart + tangentialForce, pressing, damping, springs};
 }
 
 } // namespace chesil

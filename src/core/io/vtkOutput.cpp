@@ -85,7 +85,7 @@ Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
     const Vector2 tangent = perpendicular(wall.normal);
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
-    for (const PlaneWall<2>& other : world.settings().walls)
+    for (const PlaneWall<2>& other : world.walls())
     {
         const double slope = tangent.dot(other.normal);
         if (&other != &wall && slope != 0)
@@ -128,7 +128,7 @@ VtkOutput::VtkOutput(std::string caseFolder, const World& world) : caseFolder_(s
         throw SetupError(folder, "(whole folder)", error.message(), "a folder that can be written to");
     }
     std::vector<Polyline> walls;
-    for (const PlaneWall<2>& wall : world.settings().walls)
+    for (const PlaneWall<2>& wall : world.walls())
     {
         walls.push_back(visiblePart(wall, world));
     }

@@ -53,7 +53,7 @@ std::string describe(StepStatus status, std::size_t brokenGrain)
 }
 
 World::World(WorldSettings settings)
-: settings_(std::move(settings)), list_(isFrictional(settings_.contact), resistsRolling(settings_.contact))
+: settings_(std::move(settings)), list_(isFrictional(settings_.contact), resistsRolling(settings_.contact)), walls_(settings_.walls)
 {
     for (const NamedShape& named : settings_.shapes)
     {
@@ -158,8 +158,19 @@ StepStatus World::step(double timeStep)
 {
     kick(bodies_, timeStep / 2);
     drift(bodies_, timeStep);
+    if (walls_.anyMoves())
+    {
+        walls_.setVelocities(time_, timeStep);
+        walls_.addWork(timeStep / 2);
+        walls_.drift(timeStep);
+    }
     updateForces(timeStep);
     kick(bodies_, timeStep / 2);
+    if (walls_.anyMoves())
+    {
+        walls_.addWork(timeStep / 2);
+    }
+    time_ += timeStep;
     return tooDeep_ ? StepStatus::tooDeep : checkFinite();
 }
 
@@ -170,6 +181,10 @@ bool World::neighboursAreStale() const
         return true;
     }
     const double most = skin_ / 2;
+    if (walls_.anyMoves() && !(walls_.movedSinceSearch() <= most))
+    {
+        return true;
+    }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
         // Written so that a position that is not a number asks for a search, too.
@@ -188,6 +203,7 @@ void World::updateNeighbours()
         positionsAtSearch_.resize(bodies_.size());
         std::transform(
             bodies_.pose.begin(), bodies_.pose.end(), positionsAtSearch_.begin(), [](const Pose<2>& p) { return p.position; });
+        walls_.noteSearch();
         findContacts();
     }
 }
@@ -202,9 +218,9 @@ void World::findContacts()
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
-        for (std::size_t w = settings_.walls.size(); w-- > 0;)
+        for (std::size_t w = walls_.walls().size(); w-- > 0;)
         {
-            if (settings_.walls[w].distance(positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + skin_)
+            if (walls()[w].distance(positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + skin_)
             {
                 list_.add(static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w), isStraightSided(i));
             }

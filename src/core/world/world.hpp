@@ -5,6 +5,7 @@
 #include "core/dynamics/bodies.hpp"
 #include "core/world/contactList.hpp"
 #include "core/world/pairContact.hpp"
+#include "core/world/wallStates.hpp"
 #include "core/world/worldSettings.hpp"
 
 #include <array>
@@ -65,6 +66,13 @@ public:
 
     /// Largest stable step [s] over all grains that move; infinite if none does.
     double stableTimeStep() const;
+
+    /// As they are now, in the order of the settings; what they feel and do.
+    const std::vector<PlaneWall<2>>& walls() const { return walls_.walls(); }
+    const std::vector<WallState>& wallStates() const { return walls_.states(); }
+
+    /// Since the start [s].
+    double time() const { return time_; }
 
     const WorldSettings& settings() const { return settings_; }
     const Bodies<2>& bodies() const { return bodies_; }
@@ -144,6 +152,8 @@ private:
     double skin_ = 0;
     std::vector<Vector2> positionsAtSearch_;
     ContactList list_;
+    WallStates walls_;
+    double time_ = 0;
     bool tooDeep_ = false;
     std::size_t brokenGrain_ = 0;
     std::size_t doubtfulQueries_ = 0;

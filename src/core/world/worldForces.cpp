@@ -19,6 +19,7 @@ void World::updateForces(double timeStep)
 {
     updateNeighbours();
     applyWeights();
+    walls_.clearForces();
     std::visit([&](const auto& laws) { resolveAll(laws, timeStep); }, settings_.contact);
     if (settings_.viscousDamping > 0)
     {
@@ -57,7 +58,7 @@ const Law& World::lawOf(const LawTable<Law>& laws, const Contact<2>& contact) co
     {
         return laws.of(0, 0);
     }
-    const std::size_t other = contact.withWall() ? static_cast<std::size_t>(settings_.walls[contact.wall()].material)
+    const std::size_t other = contact.withWall() ? static_cast<std::size_t>(walls()[contact.wall()].material)
                                                  : materialOf(static_cast<std::size_t>(contact.second));
     return laws.of(materialOf(static_cast<std::size_t>(contact.first)), other);
 }
@@ -121,7 +122,7 @@ bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, 
     const auto i = static_cast<std::size_t>(contact.first);
     if (contact.withWall())
     {
-        return flatContact(shapeOf(i), bodies_.pose[i], settings_.walls[contact.wall()], found, places);
+        return flatContact(shapeOf(i), bodies_.pose[i], walls()[contact.wall()], found, places);
     }
     const auto j = static_cast<std::size_t>(contact.second);
     return flatContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], found, places);
@@ -162,7 +163,7 @@ PairStatus World::queryGrains(Contact<2>& contact, ContactGeometry<2>& found)
 bool World::touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const
 {
     const auto i = static_cast<std::size_t>(contact.first);
-    const PlaneWall<2>& wall = settings_.walls[contact.wall()];
+    const PlaneWall<2>& wall = walls()[contact.wall()];
     const Pose<2>& pose = bodies_.pose[i];
     return wall.distance(pose.position) <= bodies_.boundingRadius[i] && wallContact(shapeOf(i), pose, wall, found);
 }
@@ -204,7 +205,11 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     Vector2 armJ = Vector2::Zero();
     const bool withWall = contact.withWall();
     const std::size_t j = withWall ? i : static_cast<std::size_t>(contact.second);
-    if (!withWall)
+    if (withWall)
+    {
+        relative -= walls_.states()[contact.wall()].velocity;
+    }
+    else
     {
         armJ = contact.point - bodies_.pose[j].position;
         relative -= bodies_.velocity[j] + velocityAt(bodies_.angularVelocity[j], armJ);
@@ -228,7 +233,11 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
 
     bodies_.force[i] += contact.force;
     bodies_.torque[i] += torqueOf(armI, contact.force);
-    if (!withWall)
+    if (withWall)
+    {
+        walls_.add(contact.wall(), -contact.force, result.springs.normalStiffness, result.damping);
+    }
+    else
     {
         bodies_.force[j] -= contact.force;
         bodies_.torque[j] -= torqueOf(armJ, contact.force);

@@ -32,6 +32,91 @@ const std::vector<std::string> knownNames
     "timeStep", "stopAtRest", "contactStatistics", "fluid", "variables"
 };
 
+chesil::WallMotion readMotion
+(
+    const checkedDictionary& entries,
+    const std::vector<Foam::word>& walls
+)
+{
+    const bool driven =
+        entries.found("velocity") || entries.found("amplitude")
+     || entries.found("frequency");
+    if (!entries.found("pressure"))
+    {
+        if (!driven)
+        {
+            return chesil::FixedWall{};
+        }
+        chesil::DrivenWall motion;
+        if (entries.found("velocity"))
+        {
+            motion.velocity = entries.planeVector("velocity");
+        }
+        if (entries.found("amplitude") || entries.found("frequency"))
+        {
+            motion.amplitude = entries.planeVector("amplitude");
+            motion.frequency = entries.positive("frequency");
+        }
+        return motion;
+    }
+    if (driven)
+    {
+        entries.fail
+        (
+            "pressure",
+            "a law of motion, too",
+            "either pressure, speed and between, or velocity, amplitude and"
+            " frequency"
+        );
+    }
+    chesil::ServoWall servo;
+    servo.pressure = entries.notNegative("pressure", 0);
+    servo.speed = entries.positive("speed");
+    const std::vector<std::string> between = entries.words("between");
+    const std::string expected = "the names of the two walls that end this one";
+    if (between.size() != 2 || between[0] == between[1])
+    {
+        entries.fail
+            ("between", std::to_string(between.size()) + " names", expected);
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+        const auto found = std::find(walls.begin(), walls.end(), between[k]);
+        if (found == walls.end())
+        {
+            entries.fail("between", between[k], expected);
+        }
+        servo.between[k] = std::size_t(found - walls.begin());
+    }
+    return servo;
+}
+
+//- The walls that end a servo wall must cross it
+void checkServos
+(
+    const dictionary& dict,
+    const std::vector<chesil::PlaneWall<2>>& walls
+)
+{
+    for (const chesil::PlaneWall<2>& wall : walls)
+    {
+        const auto* servo = std::get_if<chesil::ServoWall>(&wall.motion);
+        for (std::size_t k = 0; servo && k < 2; ++k)
+        {
+            const chesil::PlaneWall<2>& end = walls[servo->between[k]];
+            if (std::abs(chesil::cross(wall.normal, end.normal)) < 0.1)
+            {
+                checkedDictionary(dict.subDict(wall.name)).fail
+                (
+                    "between",
+                    end.name + ", which is parallel to this wall or nearly so",
+                    "two walls that cross it"
+                );
+            }
+        }
+    }
+}
+
 std::vector<chesil::PlaneWall<2>> readWalls
 (
     const dictionary& dict,
@@ -39,10 +124,17 @@ std::vector<chesil::PlaneWall<2>> readWalls
 )
 {
     std::vector<chesil::PlaneWall<2>> walls;
-    for (const Foam::word& name : checkedDictionary::subDictNames(dict))
+    const std::vector<Foam::word> names = checkedDictionary::subDictNames(dict);
+    for (const Foam::word& name : names)
     {
         const checkedDictionary entries
-            (dict.subDict(name), {"point", "normal", "material"});
+        (
+            dict.subDict(name),
+            {
+                "point", "normal", "material", "velocity", "amplitude",
+                "frequency", "pressure", "speed", "between"
+            }
+        );
         const chesil::Vector2 normal = entries.planeVector("normal");
         if (!(normal.norm() > 0))
         {
@@ -58,9 +150,11 @@ std::vector<chesil::PlaneWall<2>> readWalls
             name,
             entries.planeVector("point"),
             normal.normalized(),
-            materials.read(entries)
+            materials.read(entries),
+            readMotion(entries, names)
         });
     }
+    checkServos(dict, walls);
     return walls;
 }
 

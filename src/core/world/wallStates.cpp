@@ -1,0 +1,89 @@
+#include "core/world/wallStates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chesil
+{
+
+WallStates::WallStates(const std::vector<PlaneWall<2>>& walls)
+: walls_(walls),
+  states_(walls.size()),
+  anyMoves_(std::any_of(walls.begin(), walls.end(), [](const PlaneWall<2>& wall) { return moves(wall.motion); }))
+{
+    noteSearch();
+}
+
+double WallStates::pressedLength(std::size_t wall) const
+{
+    const ServoWall& servo = std::get<ServoWall>(walls_[wall].motion);
+    const Vector2 along = perpendicular(walls_[wall].normal);
+    const auto crossing = [&](std::size_t other)
+    { return -walls_[other].distance(walls_[wall].point) / along.dot(walls_[other].normal); };
+    return std::abs(crossing(servo.between[0]) - crossing(servo.between[1]));
+}
+
+void WallStates::setVelocities(double time, double timeStep)
+{
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+    {
+        WallState& state = states_[w];
+        if (const auto* driven = std::get_if<DrivenWall>(&walls_[w].motion))
+        {
+            state.velocity = driven->velocityOver(time, timeStep);
+        }
+        else if (const auto* servo = std::get_if<ServoWall>(&walls_[w].motion))
+        {
+            const double pressing = -state.force.dot(walls_[w].normal);
+            const double wanted = servo->pressure * pressedLength(w);
+            state.velocity = servo->speedFor(pressing, wanted, state.stiffness * timeStep + state.damping) * walls_[w].normal;
+        }
+    }
+}
+
+void WallStates::drift(double timeStep)
+{
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+    {
+        walls_[w].point += timeStep * states_[w].velocity;
+    }
+}
+
+void WallStates::clearForces()
+{
+    for (WallState& state : states_)
+    {
+        state.force = Vector2::Zero();
+        state.stiffness = 0;
+        state.damping = 0;
+    }
+}
+
+void WallStates::addWork(double interval)
+{
+    for (WallState& state : states_)
+    {
+        state.work -= interval * state.force.dot(state.velocity);
+    }
+}
+
+double WallStates::movedSinceSearch() const
+{
+    double most = 0;
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+    {
+        most = std::max(most, std::abs(walls_[w].normal.dot(walls_[w].point - pointsAtSearch_[w])));
+    }
+    return most;
+}
+
+void WallStates::noteSearch()
+{
+    pointsAtSearch_.clear();
+    for (const PlaneWall<2>& wall : walls_)
+    {
+        pointsAtSearch_.push_back(wall.point);
+    }
+}
+
+} // namespace chesil
