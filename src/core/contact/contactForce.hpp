@@ -24,9 +24,9 @@ struct ContactForce
 /// `spring` is the elastic tangential displacement of the first body against the second [m], carried from step
 /// to step: it is turned into the new tangent plane, lengthened by this step's slip and cut to what friction
 /// holds. Null without friction. Springs and dashpots never attract; cohesion does. The laws: linearLaw.hpp,
-/// hertzMindlinLaw.hpp.
+/// hertzMindlinLaw.hpp. `loss`, if not null, grows by what dashpots and slip take in this step [J].
 template <class Law, int Dim>
-ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact, double timeStep, Vector<Dim>* spring)
+ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact, double timeStep, Vector<Dim>* spring, double* loss = nullptr)
 {
     const ContactSprings springs = law.springs(contact);
     const double approach = contact.relativeVelocity.dot(contact.normal);
@@ -34,6 +34,10 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     const double damping = dashpot * std::sqrt(contact.effectiveMass * springs.normalStiffness);
     const double pressing = std::max(0.0, springs.normalForce + damping * approach);
     const Vector<Dim> normalPart = (law.cohesion - pressing) * contact.normal;
+    if (loss)
+    {
+        *loss += timeStep * (pressing - springs.normalForce) * approach;
+    }
     if (!spring)
     {
         return {normalPart, pressing, damping, springs};
@@ -49,6 +53,7 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     }
     const Vector<Dim> slip = contact.relativeVelocity - approach * contact.normal;
     stretch += timeStep * slip;
+    const Vector<Dim> unslipped = stretch;
 
     const double tangentialDamping = dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness);
     Vector<Dim> tangentialForce = -springs.tangentialStiffness * stretch - tangentialDamping * slip;
@@ -58,6 +63,13 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     {
         tangentialForce *= most / size;
         stretch = -(tangentialForce + tangentialDamping * slip) / springs.tangentialStiffness;
+    }
+    if (loss)
+    {
+        // The spring's mean force over the step times the way that it has not followed, and the dashpot.
+        const Vector<Dim> way = timeStep * slip;
+        const Vector<Dim> meanStretch = (unslipped - way + stretch) / 2;
+        *loss += tangentialDamping * slip.dot(way) + springs.tangentialStiffness * meanStretch.dot(unslipped - stretch);
     }
     return {normalPart + tangentialForce, pressing, damping, springs};
 }

@@ -24,13 +24,26 @@ inline double kineticEnergy(const Bodies<2>& bodies)
     return sum;
 }
 
-/// Energy stored in a contact's normal and tangential spring [J]; `stretch` is the tangential one's [m]. Without cohesion.
+/// Of all forces and torques at the present velocities, on the bodies that move [W].
+inline double powerOfForces(const Bodies<2>& bodies)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        sum += bodies.inverseMass[i] > 0 ? bodies.force[i].dot(bodies.velocity[i]) : 0;
+        sum += bodies.inverseInertia[i] > 0 ? bodies.torque[i] * bodies.angularVelocity[i] : 0;
+    }
+    return sum;
+}
+
+/// Energy stored in a contact's normal and tangential spring, and by its cohesion (negative) [J]; `stretch` is the
+/// tangential one's [m].
 template <class Law, int Dim>
 double elasticEnergy(const Law& law, const ContactState<Dim>& contact, const Vector<Dim>& stretch)
 {
     const ContactSprings springs = law.springs(contact);
     return Law::energyShare * springs.normalForce * contact.depth
-        + 0.5 * springs.tangentialStiffness * stretch.squaredNorm();
+        + 0.5 * springs.tangentialStiffness * stretch.squaredNorm() - law.cohesion * contact.depth;
 }
 
 } // namespace chesil

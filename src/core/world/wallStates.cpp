@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace chesil
 {
@@ -65,6 +66,12 @@ void WallStates::addWork(double interval)
     {
         state.work -= interval * state.force.dot(state.velocity);
     }
+}
+
+double WallStates::work() const
+{
+    return std::accumulate(
+        states_.begin(), states_.end(), 0.0, [](double sum, const WallState& state) { return sum + state.work; });
 }
 
 double WallStates::movedSinceSearch() const

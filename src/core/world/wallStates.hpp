@@ -53,6 +53,9 @@ public:
     /// Half a step's work of the present forces at the present velocities, or what is to come of it.
     void addWork(double interval);
 
+    /// That all walls have done since the start [J].
+    double work() const;
+
     /// Farthest that a wall has come from where it was at noteSearch() [m].
     double movedSinceSearch() const;
     void noteSearch();

@@ -3,6 +3,7 @@
 #include "core/contact/rollingResistance.hpp"
 #include "core/dynamics/stableTimeStep.hpp"
 #include "core/dynamics/velocityVerlet.hpp"
+#include "core/measure/energy.hpp"
 #include "core/world/flatContact.hpp"
 
 #include <algorithm>
@@ -156,6 +157,11 @@ double World::stableTimeStep() const
 
 StepStatus World::step(double timeStep)
 {
+    if (settings_.energyLedger && !ledger_)
+    {
+        ledger_.emplace();
+        ledger_->start = kineticEnergy(bodies_) + contactEnergy();
+    }
     kick(bodies_, timeStep / 2);
     drift(bodies_, timeStep);
     if (walls_.anyMoves())
@@ -164,14 +170,38 @@ StepStatus World::step(double timeStep)
         walls_.addWork(timeStep / 2);
         walls_.drift(timeStep);
     }
+    if (ledger_)
+    {
+        addWorks(timeStep);
+    }
     updateForces(timeStep);
     kick(bodies_, timeStep / 2);
     if (walls_.anyMoves())
     {
         walls_.addWork(timeStep / 2);
+        if (ledger_)
+        {
+            ledger_->walls = walls_.work();
+        }
     }
     time_ += timeStep;
     return tooDeep_ ? StepStatus::tooDeep : checkFinite();
+}
+
+void World::addWorks(double timeStep)
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        if (bodies_.inverseMass[i] > 0)
+        {
+            ledger_->gravity += timeStep * weights_[i].dot(bodies_.velocity[i]);
+            if (!externalForces_.empty())
+            {
+                ledger_->external +=
+                    timeStep * (externalForces_[i].dot(bodies_.velocity[i]) + externalTorques_[i] * bodies_.angularVelocity[i]);
+            }
+        }
+    }
 }
 
 bool World::neighboursAreStale() const

@@ -3,12 +3,14 @@
 #include "core/broadphase/neighbourList.hpp"
 #include "core/contact/contactGeometry.hpp"
 #include "core/dynamics/bodies.hpp"
+#include "core/measure/energyLedger.hpp"
 #include "core/world/contactList.hpp"
 #include "core/world/pairContact.hpp"
 #include "core/world/wallStates.hpp"
 #include "core/world/worldSettings.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,9 @@ public:
     const std::vector<PlaneWall<2>>& walls() const { return walls_.walls(); }
     const std::vector<WallState>& wallStates() const { return walls_.states(); }
 
+    /// Begun with the first step; null unless the settings ask for it.
+    const EnergyLedger* energyLedger() const { return ledger_ ? &*ledger_ : nullptr; }
+
     /// Since the start [s].
     double time() const { return time_; }
 
@@ -84,7 +89,7 @@ public:
     /// Entry i's elastic tangential displacement of the first body against the second [m]; empty without friction.
     const std::vector<Vector2>& springs() const { return list_.springs(); }
 
-    /// Stored in the springs of all contacts [J], cohesion left out.
+    /// Stored in all contacts [J].
     double contactEnergy() const;
 
     const Shape& shapeOf(std::size_t grain) const
@@ -136,6 +141,9 @@ private:
     void noteStiffness(std::size_t i, std::size_t j, const ContactSprings& springs);
     template <class Law>
     double energyOf(const Law& law, std::size_t index) const;
+    template <class Damping>
+    void withLoss(double EnergyLedger::*loss, double timeStep, const Damping& damp);
+    void addWorks(double timeStep);
     StepStatus checkFinite();
 
     WorldSettings settings_;
@@ -154,6 +162,7 @@ private:
     ContactList list_;
     WallStates walls_;
     double time_ = 0;
+    std::optional<EnergyLedger> ledger_;
     bool tooDeep_ = false;
     std::size_t brokenGrain_ = 0;
     std::size_t doubtfulQueries_ = 0;

@@ -23,12 +23,25 @@ void World::updateForces(double timeStep)
     std::visit([&](const auto& laws) { resolveAll(laws, timeStep); }, settings_.contact);
     if (settings_.viscousDamping > 0)
     {
-        dampViscously(bodies_, settings_.viscousDamping);
+        withLoss(&EnergyLedger::viscousDamping, timeStep, [this] { dampViscously(bodies_, settings_.viscousDamping); });
     }
     if (settings_.localDamping > 0)
     {
-        dampLocally(bodies_, settings_.localDamping);
+        withLoss(&EnergyLedger::localDamping, timeStep, [this] { dampLocally(bodies_, settings_.localDamping); });
     }
+}
+
+template <class Damping>
+void World::withLoss(double EnergyLedger::*loss, double timeStep, const Damping& damp)
+{
+    if (!ledger_)
+    {
+        damp();
+        return;
+    }
+    const double before = powerOfForces(bodies_);
+    damp();
+    (*ledger_).*loss += timeStep * (before - powerOfForces(bodies_));
 }
 
 void World::applyWeights()
@@ -224,7 +237,8 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
         state.effectiveRadius = effectiveRadius(contact);
         state.previousDepth = previousDepth;
     }
-    const ContactForce<2> result = contactForce(law, state, timeStep, list_.springOf(index));
+    double* loss = ledger_ ? &ledger_->contacts : nullptr;
+    const ContactForce<2> result = contactForce(law, state, timeStep, list_.springOf(index), loss);
     if constexpr (Law::usesCurvature)
     {
         noteStiffness(i, j, result.springs);
@@ -246,7 +260,7 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     {
         const double torque = rollingTorque(
             law.rollingFriction, rollingRadius(contact), result.pressing, result.springs.normalStiffness, relativeSpin, timeStep,
-            *turned);
+            *turned, loss);
         bodies_.torque[i] += torque;
         if (!withWall)
         {

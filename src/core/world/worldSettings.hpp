@@ -48,6 +48,8 @@ struct WorldSettings
     double viscousDamping = 0;
     /// Count what contact queries cost: World::contactStatistics().
     bool contactStatistics = false;
+    /// Keep World::energyLedger().
+    bool energyLedger = false;
 
     /// Of a scene with one material and linear contacts.
     LinearLaw& linear() { return std::get<LawTable<LinearLaw>>(contact).only(); }

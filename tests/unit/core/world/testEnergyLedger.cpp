@@ -1,0 +1,96 @@
+#include "core/contact/restitution.hpp"
+#include "core/measure/energy.hpp"
+#include "core/world/world.hpp"
+
+#include "unit/core/world/worldScenes.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace chesil;
+
+namespace
+{
+
+/// Largest residual on the way over what gravity, walls and the start have brought in at the end.
+double residualShare(WorldSettings settings, double duration, double shareOfStable)
+{
+    settings.energyLedger = true;
+    World world(settings);
+    world.updateForces();
+    const double timeStep = shareOfStable * world.stableTimeStep();
+    double worst = 0;
+    while (world.time() < duration)
+    {
+        EXPECT_EQ(world.step(timeStep), StepStatus::done);
+        const EnergyLedger& ledger = *world.energyLedger();
+        const double residual = ledger.residual(kineticEnergy(world.bodies()), world.contactEnergy());
+        worst = std::max(worst, std::abs(residual));
+    }
+    const EnergyLedger& ledger = *world.energyLedger();
+    worst /= ledger.start + std::abs(ledger.works());
+    std::printf("residual %.1e of the energy put in; gravity %.3g, walls %.3g, contacts -%.3g, local -%.3g, viscous -%.3g J\n",
+                worst, ledger.gravity, ledger.walls, ledger.contacts, ledger.localDamping, ledger.viscousDamping);
+    return worst;
+}
+
+} // namespace
+
+TEST(EnergyLedger, isKeptOnlyIfAskedFor)
+{
+    World world(test::mixedScene(10, 3));
+    world.step(1e-6);
+    EXPECT_EQ(world.energyLedger(), nullptr);
+}
+
+TEST(EnergyLedger, closesWithTheTimeStepWhateverTakesEnergy)
+{
+    // Outlines without corners, so that the energy is a smooth function of the poses.
+    WorldSettings settling = test::mixedScene(40, 3);
+    for (GrainState& grain : settling.grains)
+    {
+        while (!isSmooth(settling.shapes[static_cast<std::size_t>(grain.shape)].shape))
+        {
+            grain.shape = (grain.shape + 1) % static_cast<int>(settling.shapes.size());
+        }
+    }
+    struct Case
+    {
+        const char* name;
+        double restitution, friction, rolling, local, viscous;
+    };
+    for (const Case& c : {Case{"elastic", 1, 0, 0, 0, 0},
+                          Case{"dashpots", 0.3, 0, 0, 0, 0},
+                          Case{"friction", 1, 0.5, 0, 0, 0},
+                          Case{"rolling", 1, 0.5, 0.2, 0, 0},
+                          Case{"local", 1, 0, 0, 0.7, 0},
+                          Case{"viscous", 1, 0, 0, 0, 5},
+                          Case{"all", 0.5, 0.5, 0.2, 0.3, 2}})
+    {
+        std::printf("%-9s ", c.name);
+        WorldSettings settings = settling;
+        settings.linear().dampingRatio = dampingRatioOf(c.restitution);
+        settings.linear().friction = c.friction;
+        settings.linear().rollingFriction = c.rolling;
+        settings.localDamping = c.local;
+        settings.viscousDamping = c.viscous;
+        const double coarse = residualShare(settings, 0.3, 0.1);
+        std::printf("%-9s ", "");
+        const double fine = residualShare(settings, 0.3, 0.025);
+        EXPECT_LT(coarse, 2e-2) << c.name;
+        EXPECT_LT(fine, 0.5 * coarse) << c.name;
+    }
+}
+
+TEST(EnergyLedger, knowsTheEnergyOfCohesion)
+{
+    // A disk that bounces on a sticky floor. Cohesion begins at once, which costs a step's way each time.
+    WorldSettings settings = test::freeBall();
+    settings.gravity = Vector2(0, -9.81);
+    settings.walls = {test::floorWall()};
+    settings.grains[0].position = Vector2(0, 0.06);
+    settings.linear().cohesion = 0.1 * 2650 * M_PI * 0.05 * 0.05 * 9.81;
+    settings.linear().friction = 0;
+    settings.linear().dampingRatio = 0;
+    EXPECT_LT(residualShare(settings, 0.5, 0.1), 5e-3);
+    EXPECT_LT(residualShare(settings, 0.5, 0.01), 5e-4);
+}
