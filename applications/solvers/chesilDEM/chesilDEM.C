@@ -33,6 +33,7 @@ Usage
 #include "checkedDictionary.H"
 #include "progressLine.H"
 #include "readingGuards.H"
+#include "worldMeasures.H"
 #include "worldSeries.H"
 #include "worldSettingsReader.H"
 
@@ -143,6 +144,7 @@ static int run(Time& runTime)
 
     chesil::VtkOutput pictures(runTime.globalPath(), world);
     worldSeries series(runTime);
+    worldMeasures measures(runTime, settings.run.measures, world);
     progressLine progress(runTime.value(), runTime.endTime().value());
 
     world.updateForces();
@@ -150,6 +152,7 @@ static int run(Time& runTime)
     {
         pictures.write(world, runTime.value());
         series.write(runTime.value(), summary);
+        measures.write(runTime.value(), world);
     };
     write(worldSummary(world));
 

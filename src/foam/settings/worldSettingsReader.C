@@ -29,7 +29,13 @@ using Foam::scalar;
 const std::vector<std::string> knownNames
 {
     "gravity", "material", "materials", "contact", "damping", "walls", "shapes", "grains",
-    "timeStep", "stopAtRest", "contactStatistics", "fluid", "variables"
+    "timeStep", "stopAtRest", "contactStatistics", "measures", "fluid", "variables"
+};
+
+//- applications/solvers/chesilDEM/worldMeasures.C computes them
+const std::vector<std::string> knownMeasures
+{
+    "energy", "coordination", "stress", "fabric", "packing", "walls"
 };
 
 chesil::WallMotion readMotion
@@ -239,6 +245,26 @@ Foam::runSettings readRun(const checkedDictionary& entries)
         }
     }
     run.stopAtRest = entries.notNegative("stopAtRest", 0);
+    if (entries.found("measures"))
+    {
+        run.measures = entries.words("measures");
+        for (const std::string& name : run.measures)
+        {
+            if
+            (
+                std::count(knownMeasures.begin(), knownMeasures.end(), name) == 0
+             || std::count(run.measures.begin(), run.measures.end(), name) > 1
+            )
+            {
+                entries.fail
+                (
+                    "measures",
+                    name,
+                    "each once, of: " + chesil::listOfNames(knownMeasures)
+                );
+            }
+        }
+    }
     return run;
 }
 
@@ -351,6 +377,11 @@ Foam::caseSettings Foam::readCase
     }
     checkOverlaps(entries, world);
     result.run = readRun(entries);
+    world.energyLedger =
+        std::count
+        (
+            result.run.measures.begin(), result.run.measures.end(), "energy"
+        ) > 0;
     return result;
 }
 
