@@ -145,7 +145,7 @@ TEST_F(CheckpointFolderTest, removesWhatKilledRunsLeftButNothingElse)
     {
         setContent(folder_ + "/" + other, "other");
     }
-    setContent(pathOf(3) + ".part", "half");
+    setContent(pathOf(9) + ".part", "half");
     for (const int step : {1, 2, 3})
     {
         write(step);
