@@ -93,6 +93,8 @@ public:
     /// and its checksum holds.
     explicit CheckpointReader(const std::string& path);
 
+    const std::string& path() const { return path_; }
+
     /// A section's numbers, once. Throws SetupError if there is none of that name and type, or it was taken
     /// before.
     template <class Number>

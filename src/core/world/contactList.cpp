@@ -37,6 +37,15 @@ void ContactList::add(std::int32_t first, std::int32_t second, bool flat)
     }
 }
 
+void ContactList::resume(std::vector<Contact<2>> contacts, std::vector<Vector2> springs, std::vector<double> turns)
+{
+    contacts_ = std::move(contacts);
+    springs_ = std::move(springs);
+    turns_ = std::move(turns);
+    springs_.resize(withSprings_ ? contacts_.size() : 0, Vector2::Zero());
+    turns_.resize(withTurns_ ? contacts_.size() : 0, 0.0);
+}
+
 void ContactList::carryOver()
 {
     springs_.assign(withSprings_ ? contacts_.size() : 0, Vector2::Zero());

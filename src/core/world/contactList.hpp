@@ -43,6 +43,9 @@ public:
     void restart();
     void add(std::int32_t first, std::int32_t second, bool flat);
 
+    /// Goes on from entries written earlier; springs that they lack are at rest.
+    void resume(std::vector<Contact<2>> contacts, std::vector<Vector2> springs, std::vector<double> turns);
+
     /// Pairs that were in the old list keep what they carry.
     void carryOver();
 

@@ -68,6 +68,17 @@ void WallStates::addWork(double interval)
     }
 }
 
+void WallStates::resume(
+    const std::vector<Vector2>& points, const std::vector<Vector2>& pointsAtSearch, std::vector<WallState> states)
+{
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+    {
+        walls_[w].point = points[w];
+    }
+    pointsAtSearch_ = pointsAtSearch;
+    states_ = std::move(states);
+}
+
 double WallStates::work() const
 {
     return std::accumulate(

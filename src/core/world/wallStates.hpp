@@ -60,6 +60,9 @@ public:
     double movedSinceSearch() const;
     void noteSearch();
 
+    const std::vector<Vector2>& pointsAtSearch() const { return pointsAtSearch_; }
+    void resume(const std::vector<Vector2>& points, const std::vector<Vector2>& pointsAtSearch, std::vector<WallState> states);
+
     /// Distance between the two walls that bound a servo wall, along it [m].
     double pressedLength(std::size_t wall) const;
 

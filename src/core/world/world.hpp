@@ -8,6 +8,7 @@
 #include "core/world/pairContact.hpp"
 #include "core/world/wallStates.hpp"
 #include "core/world/worldSettings.hpp"
+#include "core/world/worldState.hpp"
 
 #include <array>
 #include <optional>
@@ -109,6 +110,11 @@ public:
 
     /// How often since the start a pair query ended without the full answer: see PairStatus.
     std::size_t doubtfulQueries() const { return doubtfulQueries_; }
+
+    /// All that is carried on; resume throws ValueError for the state of other grains or walls. A law with friction or
+    /// rolling resistance that the state has none of begins with springs at rest.
+    WorldState state() const;
+    void resume(WorldState state);
 
     /// Zeros unless WorldSettings::contactStatistics asks for them.
     const ContactStatistics& contactStatistics() const { return contactStatistics_; }
