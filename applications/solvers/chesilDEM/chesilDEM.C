@@ -33,6 +33,7 @@ Usage
 #include "checkedDictionary.H"
 #include "progressLine.H"
 #include "readingGuards.H"
+#include "runCheckpoints.H"
 #include "worldMeasures.H"
 #include "worldSeries.H"
 #include "worldSettingsReader.H"
@@ -96,13 +97,19 @@ static scalar timeStepOf
 (
     const Time& runTime,
     const chesil::World& world,
-    const runSettings& run
+    const runSettings& run,
+    const std::optional<checkpointedRun>& earlier
 )
 {
     const scalar stable = world.stableTimeStep();
     if (runTime.controlDict().lookupOrDefault("adjustTimeStep", false))
     {
-        const scalar step = dividing(runTime, run.shareOfStable*stable);
+        // A run that goes on keeps its step, so that it goes on to the bit
+        const scalar most = run.shareOfStable*stable;
+        const scalar step =
+            earlier && earlier->timeStep <= most
+          ? earlier->timeStep
+          : dividing(runTime, most);
         Info<< "Time step " << step << " s, " << run.shareOfStable
             << " of the stable " << stable << " s" << endl;
         return step;
@@ -139,22 +146,52 @@ static int run(Time& runTime)
         << ", shapes " << label(settings.world.shapes.size())
         << ", walls " << label(settings.world.walls.size()) << endl;
 
-    const scalar timeStep = timeStepOf(runTime, world, settings.run);
+    const runCheckpoints checkpoints(runTime, settings.run.checkpoints);
+    const std::optional<checkpointedRun> earlier =
+        checkpoints.resume(runTime, world);
+    const scalar timeStep =
+        timeStepOf(runTime, world, settings.run, earlier);
+    if (earlier)
+    {
+        runTime.setTime(earlier->time, earlier->step);
+    }
+    else
+    {
+        checkpoints.startAnew();
+        world.updateForces();
+    }
     runTime.setDeltaT(timeStep, false);
 
-    chesil::VtkOutput pictures(runTime.globalPath(), world);
+    chesil::VtkOutput pictures
+    (
+        runTime.globalPath(),
+        world,
+        earlier ? earlier->pictureTimes : std::vector<double>()
+    );
     worldSeries series(runTime);
     worldMeasures measures(runTime, settings.run.measures, world);
     progressLine progress(runTime.value(), runTime.endTime().value());
 
-    world.updateForces();
-    const auto write = [&](const worldSummary& summary)
+    const auto writeRows = [&](const worldSummary& summary)
     {
-        pictures.write(world, runTime.value());
         series.write(runTime.value(), summary);
         measures.write(runTime.value(), world);
     };
-    write(worldSummary(world));
+    const auto write = [&](const worldSummary& summary)
+    {
+        pictures.write(world, runTime.value());
+        writeRows(summary);
+        checkpoints.write
+        (
+            {runTime.value(), runTime.timeIndex(), timeStep, pictures.times()},
+            world
+        );
+    };
+    if (!earlier)
+    {
+        pictures.write(world, runTime.value());
+    }
+    writeRows(worldSummary(world));
 
     std::string end = "end time reached";
     label steps = 0;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <set>
 #include <ostream>
 
 namespace chesil
@@ -110,15 +111,40 @@ Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
 
 } // namespace
 
-VtkOutput::VtkOutput(std::string caseFolder, const World& world) : caseFolder_(std::move(caseFolder))
+std::string VtkOutput::nameOf(std::size_t index)
 {
+    char name[64];
+    std::snprintf(name, sizeof name, "grains/grains_%06zu.vtp", index);
+    return name;
+}
+
+std::vector<double> VtkOutput::times() const
+{
+    std::vector<double> result;
+    for (const auto& [time, name] : written_)
+    {
+        result.push_back(time);
+    }
+    return result;
+}
+
+VtkOutput::VtkOutput(std::string caseFolder, const World& world, const std::vector<double>& times)
+: caseFolder_(std::move(caseFolder))
+{
+    std::set<std::string> kept;
+    for (const double time : times)
+    {
+        written_.emplace_back(time, nameOf(written_.size()));
+        kept.insert(written_.back().second);
+    }
     const std::string folder = caseFolder_ + "/grains";
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     // The user may keep other files beside ours.
     for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     {
-        if (entry->path().filename().string().rfind("grains_", 0) == 0 && entry->path().extension() == ".vtp")
+        if (entry->path().filename().string().rfind("grains_", 0) == 0 && entry->path().extension() == ".vtp"
+            && kept.count("grains/" + entry->path().filename().string()) == 0)
         {
             std::filesystem::remove(entry->path(), error);
         }
@@ -153,8 +179,7 @@ void VtkOutput::write(const World& world, double time)
         {"angularVelocity", [&](std::size_t i) { return bodies.angularVelocity[i]; }},
     };
 
-    char name[64];
-    std::snprintf(name, sizeof name, "grains/grains_%06zu.vtp", written_.size());
+    const std::string name = nameOf(written_.size());
     writeAside(caseFolder_ + "/" + name, [&](std::ostream& file) { writePolyData(file, "Polys", grains, arrays); });
     written_.emplace_back(time, name);
     writeIndex();

@@ -15,13 +15,18 @@ namespace chesil
 class VtkOutput
 {
 public:
-    /// Makes the folder, removes the grains_<n>.vtp of an earlier run and writes the walls.
-    VtkOutput(std::string caseFolder, const World& world);
+    /// Makes the folder, removes the grains_<n>.vtp of an earlier run, but for the first ones, of the states at `times`
+    /// [s] that this run goes on from, and writes the walls.
+    VtkOutput(std::string caseFolder, const World& world, const std::vector<double>& times = {});
 
     /// The state at `time` [s], and the index of all states written so far.
     void write(const World& world, double time);
 
+    /// Of all states written so far [s].
+    std::vector<double> times() const;
+
 private:
+    static std::string nameOf(std::size_t index);
     void writeIndex() const;
 
     std::string caseFolder_;

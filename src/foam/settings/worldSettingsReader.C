@@ -29,7 +29,8 @@ using Foam::scalar;
 const std::vector<std::string> knownNames
 {
     "gravity", "material", "materials", "contact", "damping", "walls", "shapes", "grains",
-    "timeStep", "stopAtRest", "contactStatistics", "measures", "fluid", "variables"
+    "timeStep", "stopAtRest", "contactStatistics", "measures",
+    "checkpoints", "fluid", "variables"
 };
 
 //- applications/solvers/chesilDEM/worldMeasures.C computes them
@@ -244,6 +245,7 @@ Foam::runSettings readRun(const checkedDictionary& entries)
                 step.numberIn("share", 1e-6, 1, "a number in [1e-6, 1]");
         }
     }
+    run.checkpoints = entries.flag("checkpoints", true);
     run.stopAtRest = entries.notNegative("stopAtRest", 0);
     if (entries.found("measures"))
     {
@@ -286,8 +288,9 @@ void Foam::refuseRestart(const Time& runTime)
             "startFrom",
             "a start at " + runTime.timeName()
           + " s in a case with the grains of an earlier run",
-            "startFrom startTime; startTime 0; since grains cannot be restarted"
-            " yet (or remove grains.pvd to place them anew at this time)"
+            "startFrom startTime; startTime 0 (chesilDEM goes on from its"
+            " checkpoints with startFrom latestTime; grains in flow cannot be"
+            " restarted yet), or no grains.pvd, to place them anew at this time"
         );
     }
 }
