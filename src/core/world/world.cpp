@@ -44,6 +44,7 @@ World::World(WorldSettings settings) : settings_(std::move(settings))
         bodies_.inverseInertia.push_back(grain.driven ? 0 : 1 / inertia);
         bodies_.shape.push_back(grain.shape);
         bodies_.boundingRadius.push_back(radius);
+        halfExtents_.emplace_back(radius, radius);
         weights_.push_back(mass * settings_.gravity);
         smallest = std::min(smallest, radius);
     }
@@ -162,7 +163,7 @@ void World::findContacts()
 {
     std::swap(contacts_, lastContacts_);
     contacts_.clear();
-    for (const auto& [first, second] : search_.find(positionsAtSearch_, bodies_.boundingRadius, skin_))
+    for (const auto& [first, second] : search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_))
     {
         const bool flat = isStraightSided(static_cast<std::size_t>(first)) && isStraightSided(static_cast<std::size_t>(second));
         addPair(first, second, flat);

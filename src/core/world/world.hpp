@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/broadphase/neighbourList.hpp"
+#include "core/broadphase/neighbourSearch.hpp"
 #include "core/contact/contact.hpp"
 #include "core/contact/contactGeometry.hpp"
 #include "core/dynamics/bodies.hpp"
@@ -117,6 +117,7 @@ private:
     NeighbourSearch search_;
     double skin_ = 0;
     std::vector<Vector2> positionsAtSearch_;
+    std::vector<Vector2> halfExtents_;
     std::vector<Contact<2>> contacts_;
     std::vector<Contact<2>> lastContacts_;
     std::size_t brokenGrain_ = 0;
