@@ -11,15 +11,18 @@ namespace chesil
 namespace
 {
 
-std::string textOf(const Vector2& vector) { return "(" + numberText(vector.x()) + " " + numberText(vector.y()) + ")"; }
+std::string textOf(const Vector2& vector)
+{
+    return "(" + numberText(vector.x()) + " " + numberText(vector.y()) + ")";
+}
 
 } // namespace
 
 PeriodicCell::PeriodicCell(const Vector2& lower, const Vector2& first, const Vector2& second)
     : lower_(lower), vectors_{first, second}
 {
-    const std::string found =
-        "a periodic cell at " + textOf(lower) + " with lattice vectors " + textOf(first) + " and " + textOf(second);
+    const std::string found = "a periodic cell at " + textOf(lower) + " with lattice vectors " +
+                              textOf(first) + " and " + textOf(second);
     if (!lower.allFinite() || !first.allFinite() || !second.allFinite())
     {
         throw ValueError(found, "finite numbers [m]");
@@ -48,8 +51,8 @@ std::array<Vector2, 2> PeriodicCell::reciprocalOf(const Vector2& first, const Ve
     return {Vector2(-perpendicular(second) / area), Vector2(perpendicular(first) / area)};
 }
 
-/// Lagrange's reduction of a lattice in the plane: the longer vector less the multiple of the shorter one that makes
-/// it shortest, until nothing is gained.
+/// Lagrange's reduction of a lattice in the plane: the longer vector less the multiple of the shorter one
+/// that makes it shortest, until nothing is gained.
 void PeriodicCell::reduce()
 {
     LatticeVector shorter{first(), 1, 0};
@@ -80,7 +83,8 @@ Shift PeriodicCell::nearestShift(const Vector2& separation) const
     {
         return {};
     }
-    // The shortest two vectors stand at 60 to 120 degrees: the nearest node is a corner of the mesh around the point.
+    // The shortest two vectors stand at 60 to 120 degrees: the nearest node is a corner of the mesh around
+    // the point.
     Shift nearest;
     double least = std::numeric_limits<double>::infinity();
     for (int corner = 0; corner < 4; ++corner)
@@ -92,9 +96,12 @@ Shift PeriodicCell::nearestShift(const Vector2& separation) const
         if (distance < least)
         {
             least = distance;
-            const auto sum = [m, n](std::int64_t a, std::int64_t b)
-            { return static_cast<std::int32_t>(static_cast<std::int64_t>(m) * a + static_cast<std::int64_t>(n) * b); };
-            nearest = {sum(shortest_[0].first, shortest_[1].first), sum(shortest_[0].second, shortest_[1].second)};
+            const auto sum = [m, n](std::int64_t a, std::int64_t b) {
+                return static_cast<std::int32_t>(static_cast<std::int64_t>(m) * a +
+                                                 static_cast<std::int64_t>(n) * b);
+            };
+            nearest = {sum(shortest_[0].first, shortest_[1].first),
+                       sum(shortest_[0].second, shortest_[1].second)};
         }
     }
     return nearest;

@@ -28,40 +28,44 @@ struct NearShift
     bool operator==(const NearShift& other) const { return first == other.first && second == other.second; }
 };
 
-/// A parallelogram, given by its lower corner and two lattice vectors, that repeats itself over the plane. Simple
-/// shear tilts the second vector; a vector of zeros means no periodicity that way, and the cell is a strip then,
-/// bounded by lines perpendicular to the other one. All in the world's frame.
+/// A parallelogram, given by its lower corner and two lattice vectors, that repeats itself over the plane.
+/// Simple shear tilts the second vector; a vector of zeros means no periodicity that way, and the cell is a
+/// strip then, bounded by lines perpendicular to the other one. All in the world's frame.
 class PeriodicCell
 {
 public:
-    /// All in [m]. ValueError for numbers that are not finite, for two vectors of zeros and for parallel ones.
+    /// All in [m]. ValueError for numbers that are not finite, for two vectors of zeros and for parallel
+    /// ones.
     PeriodicCell(const Vector2& lower, const Vector2& first, const Vector2& second);
 
     const Vector2& lower() const { return lower_; }
     const Vector2& first() const { return vectors_[0]; }
     const Vector2& second() const { return vectors_[1]; }
 
-    /// Where a position [m] lies from the lower corner, in parts of the lattice vectors: in [0, 1) within the cell, 0
-    /// for a direction that does not repeat.
+    /// Where a position [m] lies from the lower corner, in parts of the lattice vectors: in [0, 1) within the
+    /// cell, 0 for a direction that does not repeat.
     Vector2 fractionOf(const Vector2& position) const
     {
         const Vector2 arm = position - lower_;
         return Vector2(reciprocal_[0].dot(arm), reciprocal_[1].dot(arm));
     }
 
-    /// Distances [m] of opposite sides, perpendicular to them: those that `first` leads across, then those that
-    /// `second` does. Infinite for a direction that does not repeat.
+    /// Distances [m] of opposite sides, perpendicular to them: those that `first` leads across, then those
+    /// that `second` does. Infinite for a direction that does not repeat.
     Vector2 widths() const { return Vector2(1 / reciprocal_[0].norm(), 1 / reciprocal_[1].norm()); }
 
     /// What an image is away from the point itself [m].
-    Vector2 offset(const Shift& shift) const { return shift.first * vectors_[0] + shift.second * vectors_[1]; }
+    Vector2 offset(const Shift& shift) const
+    {
+        return shift.first * vectors_[0] + shift.second * vectors_[1];
+    }
 
-    /// The shift that makes `separation` + offset(shift) shortest [m], for any tilt. No shift for a separation that
-    /// is not finite or is farther than 2^30 lattice vectors.
+    /// The shift that makes `separation` + offset(shift) shortest [m], for any tilt. No shift for a
+    /// separation that is not finite or is farther than 2^30 lattice vectors.
     Shift nearestShift(const Vector2& separation) const;
 
-    /// Moves a position [m] into the cell, to rounding, and returns the shift that it has added. A position that is not
-    /// finite or is farther than 2^30 lattice vectors stays where it is.
+    /// Moves a position [m] into the cell, to rounding, and returns the shift that it has added. A position
+    /// that is not finite or is farther than 2^30 lattice vectors stays where it is.
     Shift wrap(Vector2& position) const
     {
         const Vector2 fraction = fractionOf(position);

@@ -120,19 +120,27 @@ void HierarchicalGrid::requireWide(const PeriodicCell& cell) const
     const Vector2 widths = cell.widths();
     if (!levels_.empty() && !(widths.minCoeff() > 4 * radius))
     {
-        throw ValueError("a periodic cell " + numberText(widths.x()) + " and " + numberText(widths.y())
-                             + " m wide across its sides",
-                         "more than " + numberText(4 * radius)
-                             + " m, twice the reach of two grains of the largest radius with their margin");
+        throw ValueError("a periodic cell " + numberText(widths.x()) + " and " + numberText(widths.y()) +
+                             " m wide across its sides",
+                         "more than " + numberText(4 * radius) +
+                             " m, twice the reach of two grains of the largest radius with their margin");
     }
 }
 
 void HierarchicalGrid::layOutGrids()
 {
+    // As wide and high as boxes of finer grids, too: these look at no more than three columns and rows, then.
+    double halfX = 0;
+    double halfY = 0;
+    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level)
+    {
+        halfX = std::max(halfX, level->halfX);
+        halfY = std::max(halfY, level->halfY);
+        level->grid = FoldedGrid(2 * halfX * FoldedGrid::slack, 2 * halfY * FoldedGrid::slack, level->grains);
+    }
     std::size_t bucket = 0;
     for (Level& level : levels_)
     {
-        level.grid = FoldedGrid(2 * std::max(level.halfX, level.halfY) * FoldedGrid::slack, level.grains);
         level.firstBucket = bucket;
         bucket += level.grid.size() + 2;
     }
@@ -143,8 +151,8 @@ void HierarchicalGrid::layOutGrids()
 void HierarchicalGrid::place(Item item, const Vector2& position)
 {
     const Level& level = levels_[static_cast<std::size_t>(levelOf_[static_cast<std::size_t>(item.grain)])];
-    const std::int64_t column = level.grid.cellOf(position.x());
-    const std::int64_t row = level.grid.cellOf(position.y());
+    const std::int64_t column = level.grid.columnOf(position.x());
+    const std::int64_t row = level.grid.rowOf(position.y());
     item.bucket = static_cast<std::uint32_t>(level.firstBucket) + level.grid.bucketOf(column, row);
     items_.push_back(item);
     // Two further on, where sortIntoBuckets wants the count.
@@ -170,9 +178,10 @@ void HierarchicalGrid::placeImages(const Scene& scene, const PeriodicCell& cell)
         const Vector2 cells(std::floor(fraction.x()), std::floor(fraction.y()));
         if (!(cells.cwiseAbs().maxCoeff() <= mostCellsAway))
         {
-            throw ValueError("grain " + std::to_string(i) + " at " + numberText(fraction.x()) + " and "
-                                 + numberText(fraction.y()) + " lattice vectors from the periodic cell's corner",
-                             "positions wrapped into the cell, or within " + numberText(mostCellsAway) + " of it");
+            throw ValueError(
+                "grain " + std::to_string(i) + " at " + numberText(fraction.x()) + " and " +
+                    numberText(fraction.y()) + " lattice vectors from the periodic cell's corner",
+                "positions wrapped into the cell, or within " + numberText(mostCellsAway) + " of it");
         }
         const NearShift shift{static_cast<std::int8_t>(-cells.x()), static_cast<std::int8_t>(-cells.y())};
         const Item real{static_cast<std::int32_t>(i), 0, shift, false};
@@ -183,14 +192,15 @@ void HierarchicalGrid::placeImages(const Scene& scene, const PeriodicCell& cell)
     }
 }
 
-/// `fraction` is that of the image in the cell, `strips` how far ghosts may be off the cell, in parts of the lattice
-/// vectors: less than half of them, since the cell is wide enough.
-void HierarchicalGrid::placeGhosts(
-    Item ghost, const Vector2& position, const Vector2& fraction, const Vector2& strips, const PeriodicCell& cell)
+/// `fraction` is that of the image in the cell, `strips` how far ghosts may be off the cell, in parts of the
+/// lattice vectors: less than half of them, since the cell is wide enough.
+void HierarchicalGrid::placeGhosts(Item ghost, const Vector2& position, const Vector2& fraction,
+                                   const Vector2& strips, const PeriodicCell& cell)
 {
     const NearShift real = ghost.shift;
     ghost.ghost = true;
-    const auto reachesBack = [&](int side) { return strips[side] > 0 && fraction[side] - 1 >= -strips[side]; };
+    const auto reachesBack = [&](int side)
+    { return strips[side] > 0 && fraction[side] - 1 >= -strips[side]; };
     const auto reachesOn = [&](int side) { return strips[side] > 0 && fraction[side] <= strips[side]; };
     for (int first = -reachesBack(0); first <= reachesOn(0); ++first)
     {
@@ -219,7 +229,8 @@ void HierarchicalGrid::sortIntoBuckets(const Scene& scene, const PeriodicCell* c
         starts_[k] += starts_[k - 1];
     }
     entries_.resize(starts_.back());
-    // Now the start of each bucket stands one further on. Each entry counts it up, until it is the start of the next.
+    // Now the start of each bucket stands one further on. Each entry counts it up, until it is the start of
+    // the next.
     const double growth = scene.margin / 2;
     for (const Item& item : items_)
     {
@@ -230,10 +241,9 @@ void HierarchicalGrid::sortIntoBuckets(const Scene& scene, const PeriodicCell* c
         {
             position += cell->offset(item.shift);
         }
-        entries_[starts_[item.bucket + 1]++] = {position.x(),      position.y(),
-                                                half.x() + growth, half.y() + growth,
-                                                scene.radii[i] + growth, item.grain,
-                                                item.shift,        item.ghost};
+        entries_[starts_[item.bucket + 1]++] = {
+            position.x(), position.y(), half.x() + growth, half.y() + growth, scene.radii[i] + growth,
+            item.grain,   item.shift,   item.ghost};
     }
     copyFirstBuckets();
 }
@@ -243,7 +253,8 @@ void HierarchicalGrid::copyFirstBuckets()
     for (const Level& level : levels_)
     {
         const std::size_t end = level.firstBucket + level.grid.size();
-        const auto at = [this](std::size_t start) { return entries_.begin() + static_cast<std::ptrdiff_t>(start); };
+        const auto at = [this](std::size_t start)
+        { return entries_.begin() + static_cast<std::ptrdiff_t>(start); };
         const std::uint32_t first = starts_[level.firstBucket];
         const std::uint32_t second = starts_[level.firstBucket + 1];
         const std::uint32_t third = starts_[level.firstBucket + 2];

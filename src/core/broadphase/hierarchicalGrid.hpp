@@ -10,14 +10,14 @@
 namespace chesil
 {
 
-/// Grains sorted into grids by their extent, to a factor of two, each grid with cells as wide as the widest of its
-/// grains' boxes; boxes and circles are grown by half of the margin. With a periodic cell: each grain as its image in
-/// the cell, and ghosts, images in strips along the cell's sides.
+/// Grains sorted into grids by their extent, to a factor of two, each grid with cells as wide and as high as
+/// any of its grains' boxes or those of finer grids; boxes and circles are grown by half of the margin. With
+/// a periodic cell: each grain as its image in the cell, and ghosts, images in strips along the cell's sides.
 class HierarchicalGrid
 {
 public:
-    /// Centres [m], half-extents of the boxes about them [m], radii of bounding circles about them [m], entry i for
-    /// grain i; margin [m]. All but the centres are not negative.
+    /// Centres [m], half-extents of the boxes about them [m], radii of bounding circles about them [m], entry
+    /// i for grain i; margin [m]. All but the centres are not negative.
     struct Scene
     {
         const std::vector<Vector2>& positions;
@@ -47,22 +47,22 @@ public:
         double halfX = 0;
         double halfY = 0;
         double radius = 0;
-        FoldedGrid grid{0, 0};
+        FoldedGrid grid{0, 0, 0};
         std::size_t firstBucket = 0;
     };
 
     /// Leaves out grains with a number that is not finite.
     void fill(const Scene& scene);
 
-    /// Ghosts are all the images that a grain of the same level or a finer one in the cell may meet. ValueError as
-    /// NeighbourSearch::find says.
+    /// Ghosts are all the images that a grain of the same level or a finer one in the cell may meet.
+    /// ValueError as NeighbourSearch::find says.
     void fill(const Scene& scene, const PeriodicCell& cell);
 
     /// From the widest to the finest, each with a grain.
     const std::vector<Level>& levels() const { return levels_; }
 
-    /// By bucket, then by grain. Behind each grid stand copies of its first two buckets, so that what lies side by side
-    /// on the ring does so in memory.
+    /// By bucket, then by grain. Behind each grid stand copies of its first two buckets, so that what lies
+    /// side by side on the ring does so in memory.
     const std::vector<Entry>& entries() const { return entries_; }
 
     /// Number of a bucket's first entry, by Level::firstBucket + bucket; the next one's is its end.
@@ -85,8 +85,8 @@ private:
     void sortIntoLevels(const Scene& scene);
     void layOutGrids();
     void placeImages(const Scene& scene, const PeriodicCell& cell);
-    void placeGhosts(
-        Item ghost, const Vector2& position, const Vector2& fraction, const Vector2& strips, const PeriodicCell& cell);
+    void placeGhosts(Item ghost, const Vector2& position, const Vector2& fraction, const Vector2& strips,
+                     const PeriodicCell& cell);
     void place(Item item, const Vector2& position);
     void sortIntoBuckets(const Scene& scene, const PeriodicCell* cell);
     void copyFirstBuckets();

@@ -30,8 +30,7 @@ const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(const std::vecto
 const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
                                                                 const std::vector<Vector2>& halfExtents,
                                                                 const std::vector<double>& radii,
-                                                                double margin,
-                                                                const PeriodicCell& cell)
+                                                                double margin, const PeriodicCell& cell)
 {
     pairs_.clear();
     shifts_.clear();
@@ -49,7 +48,8 @@ const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(const std::vecto
 std::size_t NeighbourSearch::bytes() const
 {
     const auto of = [](const auto& buffer) { return buffer.capacity() * sizeof(buffer[0]); };
-    return grids_.bytes() + of(found_) + of(foundImages_) + of(firstOf_) + of(pairs_) + of(imagePairs_) + of(shifts_);
+    return grids_.bytes() + of(found_) + of(foundImages_) + of(firstOf_) + of(pairs_) + of(imagePairs_) +
+           of(shifts_);
 }
 
 template <class Found>
@@ -86,8 +86,8 @@ void NeighbourSearch::findWithin(const Level& level, std::vector<Found>& found)
     }
 }
 
-/// Boxes of a finer level and a coarser one that overlap have their centres within a coarser cell's width in x and y:
-/// at most three columns and rows.
+/// Boxes of a finer level and a coarser one that overlap have their centres within a coarser cell's width and
+/// height: at most three columns and rows.
 template <class Found>
 void NeighbourSearch::findAcross(const Level& finer, const Level& coarser, std::vector<Found>& found)
 {
@@ -101,10 +101,10 @@ void NeighbourSearch::findAcross(const Level& finer, const Level& coarser, std::
         }
         const double reachX = (entry.halfX + coarser.halfX) * roundingSlack;
         const double reachY = (entry.halfY + coarser.halfY) * roundingSlack;
-        const std::int64_t firstColumn = coarser.grid.cellOf(entry.x - reachX);
-        const std::int64_t lastColumn = coarser.grid.cellOf(entry.x + reachX);
-        const std::int64_t lastRow = coarser.grid.cellOf(entry.y + reachY);
-        for (std::int64_t row = coarser.grid.cellOf(entry.y - reachY); row <= lastRow; ++row)
+        const std::int64_t firstColumn = coarser.grid.columnOf(entry.x - reachX);
+        const std::int64_t lastColumn = coarser.grid.columnOf(entry.x + reachX);
+        const std::int64_t lastRow = coarser.grid.rowOf(entry.y + reachY);
+        for (std::int64_t row = coarser.grid.rowOf(entry.y - reachY); row <= lastRow; ++row)
         {
             const std::size_t bucket = coarser.firstBucket + coarser.grid.bucketOf(firstColumn, row);
             const auto columns = static_cast<std::size_t>(lastColumn - firstColumn + 1);
@@ -113,8 +113,8 @@ void NeighbourSearch::findAcross(const Level& finer, const Level& coarser, std::
     }
 }
 
-/// Adds the pairs of an entry with the entries from `begin` to `end`. Every candidate is written down and overwritten by
-/// the next if it was none: cheaper than a branch that is taken every other time.
+/// Adds the pairs of an entry with the entries from `begin` to `end`. Every candidate is written down and
+/// overwritten by the next if it was none: cheaper than a branch that is taken every other time.
 template <bool across, class Found>
 void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t end, std::vector<Found>& found)
 {
@@ -123,13 +123,14 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
         found.resize(2 * (count_ + (end - begin)));
     }
     Found* next = found.data() + count_;
-    for (const Entry* other = grids_.entries().data() + begin; other != grids_.entries().data() + end; ++other)
+    for (const Entry* other = grids_.entries().data() + begin; other != grids_.entries().data() + end;
+         ++other)
     {
         const double x = other->x - entry.x;
         const double y = other->y - entry.y;
         const double reach = entry.radius + other->radius;
-        bool near = (std::abs(x) <= entry.halfX + other->halfX) & (std::abs(y) <= entry.halfY + other->halfY)
-            & (x * x + y * y <= reach * reach);
+        bool near = (std::abs(x) <= entry.halfX + other->halfX) &
+                    (std::abs(y) <= entry.halfY + other->halfY) & (x * x + y * y <= reach * reach);
         const bool ascending = entry.grain < other->grain;
         next->first = ascending ? entry.grain : other->grain;
         next->second = ascending ? other->grain : entry.grain;
@@ -139,7 +140,8 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
             const Entry& second = ascending ? *other : entry;
             next->shift.first = static_cast<std::int8_t>(second.shift.first - first.shift.first);
             next->shift.second = static_cast<std::int8_t>(second.shift.second - first.shift.second);
-            // Within a level both grains have ghosts, and the pair is found twice; a ghost of itself is no partner.
+            // Within a level both grains have ghosts, and the pair is found twice; a ghost of itself is no
+            // partner.
             near = near & (across | !first.ghost) & (entry.grain != other->grain);
         }
         next += near;

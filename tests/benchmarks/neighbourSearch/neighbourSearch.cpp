@@ -1,9 +1,10 @@
-/// Time of one neighbour search over the number of grains and their size ratio, and that of a search by sorting.
+/// Time of one neighbour search over the number of grains and their size ratio, and that of a search by
+/// sorting.
 
+#include "core/broadphase/neighbourSearch.hpp"
 #include "benchmarks/common/benchmark.hpp"
 #include "benchmarks/neighbourSearch/scenes.hpp"
 #include "benchmarks/neighbourSearch/sortedCells.hpp"
-#include "core/broadphase/neighbourSearch.hpp"
 
 #include <map>
 #include <memory>
@@ -39,8 +40,10 @@ Scene periodic(std::size_t number)
 
 std::vector<Method> methods()
 {
-    const auto ratio = [](double sizeRatio) { return [=](std::size_t number) { return twoSizes(number, sizeRatio); }; };
-    const auto random = [](double sizeRatio) { return [=](std::size_t number) { return allSizes(number, sizeRatio); }; };
+    const auto ratio = [](double sizeRatio)
+    { return [=](std::size_t number) { return twoSizes(number, sizeRatio); }; };
+    const auto random = [](double sizeRatio)
+    { return [=](std::size_t number) { return allSizes(number, sizeRatio); }; };
     const auto mixed = [](std::size_t number) { return shuffled(twoSizes(number, 1)); };
     return {
         {"uniform", ratio(1)},
@@ -123,8 +126,8 @@ void measureAt(std::size_t number, Rows& rows, Results& results)
         rows[chosen[i].name][number] = row;
         results.measurements.push_back({chosen[i].name, std::to_string(number), grains, row.nanoseconds});
         const double bytes = static_cast<double>(trials[i]->search.bytes()) / grains;
-        std::printf("    %-34s %8zu  %6.1f  %6.2f  %6.1f  %5.0f\n", chosen[i].name.c_str(), number, row.nanoseconds, row.pairs,
-                    row.nanoseconds / row.pairs, bytes);
+        std::printf("    %-34s %8zu  %6.1f  %6.2f  %6.1f  %5.0f\n", chosen[i].name.c_str(), number,
+                    row.nanoseconds, row.pairs, row.nanoseconds / row.pairs, bytes);
     }
 }
 
@@ -152,8 +155,9 @@ void summarize(const Rows& rows, Results& results)
         const Row& two = rows.at("two sizes, 1:100").at(number);
         const Row& all = rows.at("random, sizes 1 to 100").at(number);
         const Row& one = rows.at("random, all one size").at(number);
-        add("ratio", text("%zu grains, time a pair over that of like sizes: two sizes 1:100 %.2f, sizes 1 to 100 %.2f", number,
-                          perPair(two) / perPair(uniform), perPair(all) / perPair(one)));
+        add("ratio",
+            text("%zu grains, time a pair over that of like sizes: two sizes 1:100 %.2f, sizes 1 to 100 %.2f",
+                 number, perPair(two) / perPair(uniform), perPair(all) / perPair(one)));
     }
 }
 

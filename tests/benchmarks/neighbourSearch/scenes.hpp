@@ -42,8 +42,8 @@ struct Scene
 /// Between neighbours of a hexagonal lattice of disks of radius 1 with solid fraction 0.8.
 inline double latticePitch() { return 2 * std::sqrt(M_PI / std::sqrt(12.0) / 0.8); }
 
-/// Disks of radius 1 on that lattice, out of place by up to 0.05, row by row, but where large ones of radius `ratio`
-/// are: these stand in a square lattice and cover half of the space. None for ratio 1.
+/// Disks of radius 1 on that lattice, out of place by up to 0.05, row by row, but where large ones of radius
+/// `ratio` are: these stand in a square lattice and cover half of the space. None for ratio 1.
 inline Scene twoSizes(std::size_t number, double ratio)
 {
     test::RandomSource random(sceneSeed);
@@ -52,7 +52,8 @@ inline Scene twoSizes(std::size_t number, double ratio)
     const double pitch = latticePitch();
     const double rowPitch = pitch * std::sqrt(0.75);
     const double share = ratio > 1 ? 1 - M_PI / (2.5 * 2.5) : 1;
-    const double side = std::max(std::sqrt(static_cast<double>(number) * pitch * rowPitch / share), ratio > 1 ? largePitch : 0);
+    const double side = std::max(std::sqrt(static_cast<double>(number) * pitch * rowPitch / share),
+                                 ratio > 1 ? largePitch : 0);
     const auto across = static_cast<int>(ratio > 1 ? std::ceil(side / largePitch) : 0);
     for (int k = 0; k < across * across; ++k)
     {
@@ -60,7 +61,8 @@ inline Scene twoSizes(std::size_t number, double ratio)
     }
     const auto isCovered = [&](const Vector2& at)
     {
-        const Vector2 centre((std::floor(at.x() / largePitch) + 0.5) * largePitch, (std::floor(at.y() / largePitch) + 0.5) * largePitch);
+        const Vector2 centre((std::floor(at.x() / largePitch) + 0.5) * largePitch,
+                             (std::floor(at.y() / largePitch) + 0.5) * largePitch);
         return ratio > 1 && (at - centre).norm() < ratio + 1;
     };
     for (int row = 0; scene.size() < number; ++row)
@@ -96,8 +98,8 @@ inline Scene shuffled(const Scene& scene)
     return result;
 }
 
-/// Disks anywhere in a square, numbered at random, radii from 1 to `ratio` evenly in the logarithm; as dense as gives
-/// three near pairs a grain.
+/// Disks anywhere in a square, numbered at random, radii from 1 to `ratio` evenly in the logarithm; as dense
+/// as gives three near pairs a grain.
 inline Scene allSizes(std::size_t number, double ratio)
 {
     test::RandomSource random(sceneSeed);

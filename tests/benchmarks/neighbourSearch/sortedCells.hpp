@@ -11,22 +11,25 @@
 namespace chesil::benchmark
 {
 
-/// What else one could use, and the engine once did: cells of the widest grain's size, sorted by key; bounding circles
-/// only. Pairs sorted by i, then j.
+/// What else one could use, and the engine once did: cells of the widest grain's size, sorted by key;
+/// bounding circles only. Pairs sorted by i, then j.
 class SortedCells
 {
 public:
     using Pair = std::pair<std::int32_t, std::int32_t>;
 
-    const std::vector<Pair>& find(const std::vector<Vector2>& positions, const std::vector<double>& radii, double margin)
+    const std::vector<Pair>& find(const std::vector<Vector2>& positions, const std::vector<double>& radii,
+                                  double margin)
     {
         pairs_.clear();
         entries_.clear();
         const double cellSize = 2 * *std::max_element(radii.begin(), radii.end()) + margin;
         for (std::size_t i = 0; i < positions.size(); ++i)
         {
-            const auto cell = [cellSize](double x) { return static_cast<std::int64_t>(std::floor(x / cellSize)); };
-            entries_.push_back({cell(positions[i].x()), cell(positions[i].y()), static_cast<std::int32_t>(i)});
+            const auto cell = [cellSize](double x)
+            { return static_cast<std::int64_t>(std::floor(x / cellSize)); };
+            entries_.push_back(
+                {cell(positions[i].x()), cell(positions[i].y()), static_cast<std::int32_t>(i)});
         }
         std::sort(entries_.begin(), entries_.end());
         const auto add = [&](std::int32_t i, std::int32_t j)
@@ -49,7 +52,8 @@ public:
                 add(entry->grain, other->grain);
             }
             const Entry first{entry->column + 1, entry->row - 1, -1};
-            for (auto other = std::lower_bound(entry, entries_.end(), first); isWithin(other, first.column); ++other)
+            for (auto other = std::lower_bound(entry, entries_.end(), first); isWithin(other, first.column);
+                 ++other)
             {
                 add(entry->grain, other->grain);
             }
@@ -67,7 +71,9 @@ private:
 
         bool operator<(const Entry& other) const
         {
-            return column != other.column ? column < other.column : row != other.row ? row < other.row : grain < other.grain;
+            return column != other.column ? column < other.column
+                   : row != other.row     ? row < other.row
+                                          : grain < other.grain;
         }
     };
 

@@ -15,9 +15,10 @@ namespace
 /// Straight, tilted, far tilted, left-handed, one direction each.
 std::vector<PeriodicCell> cells()
 {
-    return {{Vector2(1, 2), Vector2(3, 0), Vector2(0, 2)},      {Vector2(1, 2), Vector2(3, 0), Vector2(1.2, 2)},
-            {Vector2(-1, 2), Vector2(3, 0.5), Vector2(-17, 2)}, {Vector2(0, 0), Vector2(0.5, 2), Vector2(3, 1)},
-            {Vector2(1, 2), Vector2(3, 1), Vector2(0, 0)},      {Vector2(1, 2), Vector2(0, 0), Vector2(-1, 2)}};
+    return {
+        {Vector2(1, 2), Vector2(3, 0), Vector2(0, 2)},      {Vector2(1, 2), Vector2(3, 0), Vector2(1.2, 2)},
+        {Vector2(-1, 2), Vector2(3, 0.5), Vector2(-17, 2)}, {Vector2(0, 0), Vector2(0.5, 2), Vector2(3, 1)},
+        {Vector2(1, 2), Vector2(3, 1), Vector2(0, 0)},      {Vector2(1, 2), Vector2(0, 0), Vector2(-1, 2)}};
 }
 
 /// The shortest of all images within reach of any of these cells.

@@ -33,9 +33,9 @@ struct Scene
         const Vector2 between = positions[j] + offset - positions[i];
         const auto reach = [margin](double a, double b) { return (a + margin / 2) + (b + margin / 2); };
         const double circles = reach(radii[i], radii[j]);
-        return std::abs(between.x()) <= reach(halfExtents[i].x(), halfExtents[j].x())
-            && std::abs(between.y()) <= reach(halfExtents[i].y(), halfExtents[j].y())
-            && between.squaredNorm() <= circles * circles;
+        return std::abs(between.x()) <= reach(halfExtents[i].x(), halfExtents[j].x()) &&
+               std::abs(between.y()) <= reach(halfExtents[i].y(), halfExtents[j].y()) &&
+               between.squaredNorm() <= circles * circles;
     }
 };
 
@@ -104,7 +104,8 @@ std::size_t check(NeighbourSearch& search, const Scene& scene, double margin)
 }
 
 /// Shifts of some lattice vectors each way, tried one by one.
-std::size_t checkPeriodic(NeighbourSearch& search, const Scene& scene, double margin, const PeriodicCell& cell)
+std::size_t checkPeriodic(NeighbourSearch& search, const Scene& scene, double margin,
+                          const PeriodicCell& cell)
 {
     Pairs expected;
     std::vector<NearShift> shifts;
@@ -195,6 +196,29 @@ TEST(NeighbourSearch, slenderGrains)
         const Scene scene = randomRods(300, random.logUniform(2, 20), 50, random);
         EXPECT_GT(check(search, scene, 0.02 * (i % 3)), 10u);
     }
+}
+
+TEST(NeighbourSearch, boxesOfAnySizeAndAspect)
+{
+    // Lying ones among upright ones of other sizes: a finer level wider than a coarser one is high.
+    test::RandomSource random(117);
+    NeighbourSearch search;
+    std::size_t pairs = 0;
+    for (int i = 0; i < 30; ++i)
+    {
+        Scene scene;
+        for (int k = 0; k < 300; ++k)
+        {
+            const Vector2 position = randomPosition(6, random);
+            const double large = random.logUniform(0.01, 2);
+            const double aspect = random.logUniform(1, 200);
+            const Vector2 half =
+                large > 0.5 ? Vector2(large / aspect, large) : Vector2(large, large / aspect);
+            scene.add(position, half, half.norm());
+        }
+        pairs += check(search, scene, 0.01 * (i % 3));
+    }
+    EXPECT_GT(pairs, 3000u);
 }
 
 TEST(NeighbourSearch, boxesKeepApartWhatCirclesDoNot)
@@ -391,7 +415,10 @@ TEST(NeighbourSearch, refusesATooNarrowCell)
     Scene scene;
     scene.addDisk(Vector2(1, 1), 1);
     const auto findIn = [&](const Vector2& first, const Vector2& second)
-    { search.find(scene.positions, scene.halfExtents, scene.radii, 0.1, PeriodicCell(Vector2(0, 0), first, second)); };
+    {
+        search.find(scene.positions, scene.halfExtents, scene.radii, 0.1,
+                    PeriodicCell(Vector2(0, 0), first, second));
+    };
     EXPECT_NO_THROW(findIn(Vector2(4.3, 0), Vector2(0, 4.3)));
     EXPECT_THROW(findIn(Vector2(4.1, 0), Vector2(0, 9)), ValueError);
     EXPECT_THROW(findIn(Vector2(9, 0), Vector2(0, 4.1)), ValueError);
