@@ -140,9 +140,9 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
             const Entry& second = ascending ? *other : entry;
             next->shift.first = static_cast<std::int8_t>(second.shift.first - first.shift.first);
             next->shift.second = static_cast<std::int8_t>(second.shift.second - first.shift.second);
-            // Within a level both grains have ghosts, and the pair is found twice; a ghost of itself is no
-            // partner.
-            near = near & (across | !first.ghost) & (entry.grain != other->grain);
+            // Within a level both grains have ghosts, and the pair is found twice. A grain's own ghost is
+            // never near: the cell is too wide.
+            near = near & (across | !first.ghost);
         }
         next += near;
     }

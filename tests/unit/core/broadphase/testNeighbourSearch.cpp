@@ -211,14 +211,14 @@ TEST(NeighbourSearch, boxesOfAnySizeAndAspect)
         {
             const Vector2 position = randomPosition(6, random);
             const double large = random.logUniform(0.01, 2);
-            const double aspect = random.logUniform(1, 200);
+            const double aspect = random.logUniform(large > 0.5 ? 20 : 1, 200);
             const Vector2 half =
                 large > 0.5 ? Vector2(large / aspect, large) : Vector2(large, large / aspect);
             scene.add(position, half, half.norm());
         }
         pairs += check(search, scene, 0.01 * (i % 3));
     }
-    EXPECT_GT(pairs, 3000u);
+    EXPECT_GT(pairs, 1000u);
 }
 
 TEST(NeighbourSearch, boxesKeepApartWhatCirclesDoNot)
