@@ -58,6 +58,24 @@ static bool writesInTime(const Time& runTime)
 }
 
 
+//- Time forgets at a restart what it has written, and writes again a step later
+static bool isNewWrite(const Time& runTime)
+{
+    if (!writesInTime(runTime))
+    {
+        return true;
+    }
+    const scalar interval =
+        checkedDictionary(runTime.controlDict()).positive("writeInterval");
+    const scalar step = runTime.deltaTValue();
+    const auto index = [&](scalar time)
+    {
+        return label((time - runTime.startTime().value() + 0.5*step)/interval);
+    };
+    return index(runTime.value()) > index(runTime.value() - step);
+}
+
+
 //- What Time itself takes without a word, or ends on by a signal
 static void checkControl(const Time& runTime)
 {
@@ -210,7 +228,8 @@ static int run(Time& runTime)
             return 1;
         }
 
-        written = runTime.writeTime();
+        written =
+            runTime.writeTime() && (steps > 1 || !earlier || isNewWrite(runTime));
         if (written || progress.due())
         {
             const worldSummary summary(world);

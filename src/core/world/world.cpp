@@ -77,6 +77,7 @@ World::World(WorldSettings settings)
         bodies_.inverseInertia.push_back(grain.driven ? 0 : 1 / inertia);
         bodies_.shape.push_back(grain.shape);
         bodies_.boundingRadius.push_back(radius);
+        halfExtents_.emplace_back(radius, radius);
         weights_.push_back(mass * settings_.gravity);
         smallest = std::min(smallest, radius);
     }
@@ -241,7 +242,7 @@ void World::updateNeighbours()
 void World::findContacts()
 {
     list_.restart();
-    for (const auto& [first, second] : search_.find(positionsAtSearch_, bodies_.boundingRadius, skin_))
+    for (const auto& [first, second] : search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_))
     {
         const bool flat = isStraightSided(static_cast<std::size_t>(first)) && isStraightSided(static_cast<std::size_t>(second));
         list_.add(first, second, flat);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/broadphase/neighbourList.hpp"
+#include "core/broadphase/neighbourSearch.hpp"
 #include "core/contact/contactGeometry.hpp"
 #include "core/dynamics/bodies.hpp"
 #include "core/measure/energyLedger.hpp"
@@ -165,6 +165,8 @@ private:
     NeighbourSearch search_;
     double skin_ = 0;
     std::vector<Vector2> positionsAtSearch_;
+    /// Of each grain's upright box about its centroid [m].
+    std::vector<Vector2> halfExtents_;
     ContactList list_;
     WallStates walls_;
     double time_ = 0;

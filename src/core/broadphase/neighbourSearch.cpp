@@ -1,0 +1,179 @@
+#include "core/broadphase/neighbourSearch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace chesil
+{
+
+namespace
+{
+
+/// Covers rounding of the bounds between which wider grains are looked for.
+constexpr double roundingSlack = 1 + 1e-12;
+
+} // namespace
+
+const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
+                                                                const std::vector<Vector2>& halfExtents,
+                                                                const std::vector<double>& radii,
+                                                                double margin)
+{
+    shifts_.clear();
+    grids_.fill({positions, halfExtents, radii, margin});
+    findAll(found_);
+    order(found_, positions.size(), pairs_);
+    return pairs_;
+}
+
+const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
+                                                                const std::vector<Vector2>& halfExtents,
+                                                                const std::vector<double>& radii,
+                                                                double margin, const PeriodicCell& cell)
+{
+    pairs_.clear();
+    shifts_.clear();
+    grids_.fill({positions, halfExtents, radii, margin}, cell);
+    findAll(foundImages_);
+    order(foundImages_, positions.size(), imagePairs_);
+    for (const ImagePair& pair : imagePairs_)
+    {
+        pairs_.emplace_back(pair.first, pair.second);
+        shifts_.push_back(pair.shift);
+    }
+    return pairs_;
+}
+
+std::size_t NeighbourSearch::bytes() const
+{
+    const auto of = [](const auto& buffer) { return buffer.capacity() * sizeof(buffer[0]); };
+    return grids_.bytes() + of(found_) + of(foundImages_) + of(firstOf_) + of(pairs_) + of(imagePairs_) +
+           of(shifts_);
+}
+
+template <class Found>
+void NeighbourSearch::findAll(std::vector<Found>& found)
+{
+    count_ = 0;
+    const std::vector<Level>& levels = grids_.levels();
+    for (std::size_t finer = 0; finer < levels.size(); ++finer)
+    {
+        findWithin(levels[finer], found);
+        for (std::size_t coarser = 0; coarser < finer; ++coarser)
+        {
+            findAcross(levels[finer], levels[coarser], found);
+        }
+    }
+}
+
+/// Each bucket with itself, with the next one and with the three of the row ahead: all neighbours once.
+template <class Found>
+void NeighbourSearch::findWithin(const Level& level, std::vector<Found>& found)
+{
+    for (std::uint32_t bucket = 0; bucket < level.grid.size(); ++bucket)
+    {
+        const std::size_t here = level.firstBucket + bucket;
+        const std::size_t end = grids_.startOf(here + 1);
+        const std::size_t endOfNext = grids_.startOf(here + 2);
+        const std::size_t ahead = level.firstBucket + level.grid.aheadOf(bucket);
+        for (std::size_t k = grids_.startOf(here); k < end; ++k)
+        {
+            const Entry& entry = grids_.entries()[k];
+            meet<false>(entry, k + 1, endOfNext, found);
+            meet<false>(entry, grids_.startOf(ahead), grids_.startOf(ahead + 3), found);
+        }
+    }
+}
+
+/// Boxes of a finer level and a coarser one that overlap have their centres within a coarser cell's width and
+/// height: at most three columns and rows.
+template <class Found>
+void NeighbourSearch::findAcross(const Level& finer, const Level& coarser, std::vector<Found>& found)
+{
+    const std::size_t end = grids_.startOf(finer.firstBucket + finer.grid.size());
+    for (std::size_t k = grids_.startOf(finer.firstBucket); k < end; ++k)
+    {
+        const Entry& entry = grids_.entries()[k];
+        if (entry.ghost)
+        {
+            continue;
+        }
+        const double reachX = (entry.halfX + coarser.halfX) * roundingSlack;
+        const double reachY = (entry.halfY + coarser.halfY) * roundingSlack;
+        const std::int64_t firstColumn = coarser.grid.columnOf(entry.x - reachX);
+        const std::int64_t lastColumn = coarser.grid.columnOf(entry.x + reachX);
+        const std::int64_t lastRow = coarser.grid.rowOf(entry.y + reachY);
+        for (std::int64_t row = coarser.grid.rowOf(entry.y - reachY); row <= lastRow; ++row)
+        {
+            const std::size_t bucket = coarser.firstBucket + coarser.grid.bucketOf(firstColumn, row);
+            const auto columns = static_cast<std::size_t>(lastColumn - firstColumn + 1);
+            meet<true>(entry, grids_.startOf(bucket), grids_.startOf(bucket + columns), found);
+        }
+    }
+}
+
+/// Adds the pairs of an entry with the entries from `begin` to `end`. Every candidate is written down and
+/// overwritten by the next if it was none: cheaper than a branch that is taken every other time.
+template <bool across, class Found>
+void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t end, std::vector<Found>& found)
+{
+    if (count_ + (end - begin) > found.size())
+    {
+        found.resize(2 * (count_ + (end - begin)));
+    }
+    Found* next = found.data() + count_;
+    for (const Entry* other = grids_.entries().data() + begin; other != grids_.entries().data() + end;
+         ++other)
+    {
+        const double x = other->x - entry.x;
+        const double y = other->y - entry.y;
+        const double reach = entry.radius + other->radius;
+        bool near = (std::abs(x) <= entry.halfX + other->halfX) &
+                    (std::abs(y) <= entry.halfY + other->halfY) & (x * x + y * y <= reach * reach);
+        const bool ascending = entry.grain < other->grain;
+        next->first = ascending ? entry.grain : other->grain;
+        next->second = ascending ? other->grain : entry.grain;
+        if constexpr (std::is_same_v<Found, ImagePair>)
+        {
+            const Entry& first = ascending ? entry : *other;
+            const Entry& second = ascending ? *other : entry;
+            next->shift.first = static_cast<std::int8_t>(second.shift.first - first.shift.first);
+            next->shift.second = static_cast<std::int8_t>(second.shift.second - first.shift.second);
+            // Within a level both grains have ghosts, and the pair is found twice. A grain's own ghost is
+            // never near: the cell is too wide.
+            near = near & (across | !first.ghost);
+        }
+        next += near;
+    }
+    count_ = static_cast<std::size_t>(next - found.data());
+}
+
+/// Counting sort by the first grain, then each grain's few by the second.
+template <class Found>
+void NeighbourSearch::order(const std::vector<Found>& found, std::size_t grains, std::vector<Found>& ordered)
+{
+    firstOf_.assign(grains + 1, 0);
+    for (std::size_t k = 0; k < count_; ++k)
+    {
+        ++firstOf_[static_cast<std::size_t>(found[k].first) + 1];
+    }
+    for (std::size_t i = 1; i <= grains; ++i)
+    {
+        firstOf_[i] += firstOf_[i - 1];
+    }
+    ordered.resize(count_);
+    for (std::size_t k = 0; k < count_; ++k)
+    {
+        ordered[firstOf_[static_cast<std::size_t>(found[k].first)]++] = found[k];
+    }
+    auto begin = ordered.begin();
+    for (std::size_t i = 0; i < grains; ++i)
+    {
+        const auto end = ordered.begin() + static_cast<std::ptrdiff_t>(firstOf_[i]);
+        std::sort(begin, end, [](const Found& a, const Found& b) { return a.second < b.second; });
+        begin = end;
+    }
+}
+
+} // namespace chesil
