@@ -15,6 +15,7 @@
 #include "core/world/world.hpp"
 
 #include <algorithm>
+#include <utility>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -250,10 +251,10 @@ Foam::caseSettings Foam::readCase
     {
         world.walls = readWalls(entries.subDict("walls"));
     }
-    const shapeGroups shapes =
+    shapeGroups shapes =
         readShapes(entries.subDict("shapes"), runTime.globalPath());
-    world.shapes = shapes.shapes;
     world.grains = readGrains(entries.subDict("grains"), shapes, world.walls);
+    world.shapes = std::move(shapes.shapes);
     if (world.grains.empty())
     {
         entries.fail
