@@ -8,6 +8,7 @@
 
 #include "List.H"
 #include "Switch.H"
+#include "Tuple2.H"
 #include "Vector2D.H"
 #include "wordList.H"
 
@@ -315,6 +316,39 @@ std::vector<std::string> Foam::checkedDictionary::words(const word& name) const
 {
     const wordList values = read<wordList>(name, "a list of names (a b ...)");
     return std::vector<std::string>(values.begin(), values.end());
+}
+
+
+std::vector<double> Foam::checkedDictionary::numbers(const word& name) const
+{
+    const std::string expected = "a list of finite numbers (a b ...)";
+    const List<scalar> values = read<List<scalar>>(name, expected);
+    for (const scalar value : values)
+    {
+        if (!std::isfinite(value))
+        {
+            fail(name, valueText(dict_, name), expected);
+        }
+    }
+    return std::vector<double>(values.begin(), values.end());
+}
+
+
+std::vector<std::pair<std::string, double>>
+Foam::checkedDictionary::namedNumbers(const word& name) const
+{
+    const std::string expected =
+        "a list of names with finite numbers ((a 1) (b 2) ...)";
+    std::vector<std::pair<std::string, double>> result;
+    for (const auto& one : read<List<Tuple2<word, scalar>>>(name, expected))
+    {
+        if (!std::isfinite(one.second()))
+        {
+            fail(name, valueText(dict_, name), expected);
+        }
+        result.emplace_back(one.first(), one.second());
+    }
+    return result;
 }
 
 

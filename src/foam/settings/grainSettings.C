@@ -5,8 +5,12 @@
 
 #include "grainSettings.H"
 #include "checkedDictionary.H"
+#include "compositionSettings.H"
+#include "contactSettings.H"
 
-#include "core/world/placement.hpp"
+#include "core/world/randomInsertion.hpp"
+
+#include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -18,85 +22,165 @@ using Foam::checkedDictionary;
 using Foam::dictionary;
 using Foam::shapeGroups;
 
-const std::vector<int>& groupNamed
-(
-    const checkedDictionary& entries,
-    const Foam::word& entryName,
-    const std::string& name,
-    const shapeGroups& shapes
-)
+chesil::PlacementBox readBox(const checkedDictionary& entries)
 {
-    const auto group = shapes.groups.find(name);
-    if (group == shapes.groups.end())
-    {
-        std::vector<std::string> known;
-        for (const auto& g : shapes.groups)
-        {
-            known.push_back(g.first);
-        }
-        entries.fail
-        (
-            entryName,
-            name,
-            "a name of the dictionary shapes: "
-          + (known.empty() ? "it is empty" : chesil::listOfNames(known))
-        );
-    }
-    return group->second;
+    const checkedDictionary box(entries.subDict("box"), {"lower", "upper"});
+    return {box.planeVector("lower"), box.planeVector("upper")};
 }
 
-std::vector<GrainState> readLattice
+
+std::uint64_t readSeed(const checkedDictionary& entries)
+{
+    return static_cast<std::uint64_t>(entries.count("seed", 0, 1));
+}
+
+
+//- Calls a function of core; what it refuses is the fault of the entry
+template<class Function>
+auto underEntry
 (
-    const dictionary& dict,
-    const shapeGroups& shapes
+    const checkedDictionary& entries,
+    const Foam::word& name,
+    const Function& function
 )
 {
-    const checkedDictionary entries
-        (dict, {"type", "number", "box", "shapes", "seed"});
-    std::vector<int> choice;
-    for (const std::string& name : entries.words("shapes"))
-    {
-        const auto& group = groupNamed(entries, "shapes", name, shapes);
-        choice.insert(choice.end(), group.begin(), group.end());
-    }
-    if (choice.empty())
-    {
-        entries.fail("shapes", "no shape", "at least one");
-    }
-    const checkedDictionary box(entries.subDict("box"), {"lower", "upper"});
     try
     {
-        return chesil::placeOnLattice
-        (
-            shapes.shapes,
-            choice,
-            entries.count("number", 1),
-            {box.planeVector("lower"), box.planeVector("upper")},
-            static_cast<std::uint64_t>(entries.count("seed", 0, 1))
-        );
+        return function();
     }
     catch (const chesil::ValueError& error)
     {
-        throw error.at(entries.file(), entries.fullName("box"));
+        throw error.at(entries.file(), entries.fullName(name));
     }
 }
 
-std::vector<GrainState> readSingle
+
+std::vector<GrainState> readLattice(const dictionary& dict, shapeGroups& shapes)
+{
+    const checkedDictionary entries
+    (
+        dict,
+        {
+            "type", "number", "box", "shapes", "seed", "mixture", "sizes",
+            "material"
+        }
+    );
+    const chesil::PlacementBox box = readBox(entries);
+    const Foam::label number = entries.count("number", 1);
+    const std::uint64_t seed = readSeed(entries);
+    if (!entries.found("mixture") && !entries.found("sizes"))
+    {
+        const std::vector<int> choice =
+            Foam::readShapeNames(entries, "shapes", shapes);
+        return underEntry(entries, "box", [&]
+        {
+            return chesil::placeOnLattice
+                (shapes.shapes, choice, number, box, seed);
+        });
+    }
+    const chesil::Composition composition =
+        Foam::readComposition(entries, shapes);
+    chesil::RandomEngine engine(seed);
+    const std::vector<int> shapeOfGrain = underEntry(entries, "sizes", [&]
+    {
+        return chesil::composeNumber
+            (shapes.shapes, composition, number, engine);
+    });
+    return underEntry(entries, "box", [&]
+    {
+        return chesil::placeOnLattice(shapes.shapes, shapeOfGrain, box, engine);
+    });
+}
+
+
+std::vector<int> readRandomShapes
 (
-    const dictionary& dict,
-    const shapeGroups& shapes
+    const checkedDictionary& entries,
+    const chesil::PlacementBox& box,
+    shapeGroups& shapes,
+    chesil::RandomEngine& engine
 )
+{
+    const chesil::Composition composition =
+        Foam::readComposition(entries, shapes);
+    if (entries.found("number") == entries.found("solidFraction"))
+    {
+        entries.fail
+        (
+            "number",
+            entries.found("number")
+          ? "number and solidFraction" : "neither number nor solidFraction",
+            "one of the two"
+        );
+    }
+    if (entries.found("number"))
+    {
+        const Foam::label number = entries.count("number", 1);
+        return underEntry(entries, "sizes", [&]
+        {
+            return chesil::composeNumber
+                (shapes.shapes, composition, number, engine);
+        });
+    }
+    const Foam::scalar fraction = entries.positive("solidFraction");
+    if (fraction >= 1)
+    {
+        entries.fail
+        (
+            "solidFraction",
+            chesil::numberText(fraction),
+            "a share of the box's area, below 1"
+        );
+    }
+    return underEntry(entries, "solidFraction", [&]
+    {
+        return chesil::composeArea
+        (
+            shapes.shapes,
+            composition,
+            fraction*(box.upper - box.lower).prod(),
+            engine
+        );
+    });
+}
+
+
+std::vector<GrainState> readRandom(const dictionary& dict, shapeGroups& shapes)
+{
+    const checkedDictionary entries
+    (
+        dict,
+        {
+            "type", "number", "solidFraction", "box", "gap", "shapes", "seed",
+            "mixture", "sizes", "material"
+        }
+    );
+    const chesil::PlacementBox box = readBox(entries);
+    const Foam::scalar gap = entries.notNegative("gap", 0);
+    chesil::RandomEngine engine(readSeed(entries));
+    underEntry(entries, "box", [&] { chesil::requireExtent(box); });
+    const std::vector<int> shapeOfGrain =
+        readRandomShapes(entries, box, shapes, engine);
+    return underEntry(entries, "box", [&]
+    {
+        return chesil::insertAtRandom
+            (shapes.shapes, shapeOfGrain, box, gap, engine);
+    });
+}
+
+
+std::vector<GrainState> readSingle(const dictionary& dict, shapeGroups& shapes)
 {
     const checkedDictionary entries
     (
         dict,
         {
             "type", "shape", "position", "angle", "velocity",
-            "angularVelocity", "driven"
+            "angularVelocity", "driven", "material"
         }
     );
     const std::string name = entries.text("shape");
-    const auto& group = groupNamed(entries, "shape", name, shapes);
+    const auto& group = Foam::groupNamed(entries, "shape", name, shapes);
     if (group.size() != 1)
     {
         entries.fail
@@ -181,19 +265,33 @@ void checkWalls
 std::vector<chesil::GrainState> Foam::readGrains
 (
     const dictionary& dict,
-    const shapeGroups& shapes,
-    const std::vector<chesil::PlaneWall<2>>& walls
+    shapeGroups& shapes,
+    const std::vector<chesil::PlaneWall<2>>& walls,
+    const materialSettings& materials
 )
 {
+    const std::map
+    <
+        std::string,
+        std::vector<GrainState> (*)(const dictionary&, shapeGroups&)
+    >
+    readers
+    {
+        {"lattice", readLattice}, {"random", readRandom}, {"single", readSingle}
+    };
     const checkedDictionary entries(dict);
     std::vector<GrainState> grains;
     for (const word& name : checkedDictionary::subDictNames(dict))
     {
         const dictionary& sub = dict.subDict(name);
         const std::string type =
-            checkedDictionary(sub).choice("type", {"lattice", "single"});
-        const auto some =
-            type == "lattice" ? readLattice(sub, shapes) : readSingle(sub, shapes);
+            checkedDictionary(sub).choice("type", {"lattice", "random", "single"});
+        auto some = readers.at(type)(sub, shapes);
+        const int material = materials.read(checkedDictionary(sub));
+        for (GrainState& grain : some)
+        {
+            grain.material = material;
+        }
         checkWalls(entries, name, some, shapes, walls);
         grains.insert(grains.end(), some.begin(), some.end());
     }

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "shapeSettings.H"
-#include "checkedDictionary.H"
 
 #include "OSspecific.H"
 
@@ -115,6 +114,34 @@ readers
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+const std::vector<int>& Foam::groupNamed
+(
+    const checkedDictionary& entries,
+    const word& entryName,
+    const std::string& name,
+    const shapeGroups& shapes
+)
+{
+    const auto group = shapes.groups.find(name);
+    if (group == shapes.groups.end())
+    {
+        std::vector<std::string> known;
+        for (const auto& g : shapes.groups)
+        {
+            known.push_back(g.first);
+        }
+        entries.fail
+        (
+            entryName,
+            name,
+            "a name of the dictionary shapes: "
+          + (known.empty() ? "it is empty" : chesil::listOfNames(known))
+        );
+    }
+    return group->second;
+}
+
 
 Foam::shapeGroups Foam::readShapes
 (

@@ -16,6 +16,7 @@
 #include "core/world/world.hpp"
 
 #include <algorithm>
+#include <utility>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -365,12 +366,15 @@ Foam::caseSettings Foam::readCase
     {
         world.walls = readWalls(entries.subDict("walls"), materials);
     }
-    const shapeGroups shapes =
+    shapeGroups shapes =
         readShapes(entries.subDict("shapes"), runTime.globalPath());
-    world.shapes = shapes.shapes;
+    world.grains = readGrains
+    (
+        entries.subDict("grains"), shapes, world.walls, materials
+    );
     world.contact =
         readContactLaws(entries.subDict("contact"), materials, shapes.shapes);
-    world.grains = readGrains(entries.subDict("grains"), shapes, world.walls);
+    world.shapes = std::move(shapes.shapes);
     if (world.grains.empty())
     {
         entries.fail
