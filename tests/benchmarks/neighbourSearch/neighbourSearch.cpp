@@ -5,9 +5,12 @@
 #include "benchmarks/common/benchmark.hpp"
 #include "benchmarks/neighbourSearch/scenes.hpp"
 #include "benchmarks/neighbourSearch/sortedCells.hpp"
+#include "unit/record.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 
 using namespace chesil;
 using namespace chesil::benchmark;
@@ -149,16 +152,44 @@ void summarize(const Rows& rows, Results& results)
         }
         add("order", text("time ~ grains^%.2f (%s)", logarithmicSlope(grains, times), method.c_str()));
     }
+    double worst = 0;
     for (const auto& [number, uniform] : rows.at("uniform"))
     {
         const auto perPair = [](const Row& row) { return row.nanoseconds / row.pairs; };
         const Row& two = rows.at("two sizes, 1:100").at(number);
         const Row& all = rows.at("random, sizes 1 to 100").at(number);
         const Row& one = rows.at("random, all one size").at(number);
+        worst = std::max(worst, perPair(two) / perPair(uniform));
         add("ratio",
             text("%zu grains, time a pair over that of like sizes: two sizes 1:100 %.2f, sizes 1 to 100 %.2f",
                  number, perPair(two) / perPair(uniform), perPair(all) / perPair(one)));
     }
+    std::printf("    searchSizeRatio %.3f\n", worst);
+    test::record("dryEngine", "searchSizeRatio", worst, "-");
+}
+
+/// The sizes and the sorting search in the first picture, all other scenes in one of their own.
+Results inTwoPictures(Results all)
+{
+    const std::set<std::string> first{"uniform",
+                                      "two sizes, 1:10",
+                                      "two sizes, 1:100",
+                                      "random, sizes 1 to 100",
+                                      "sorting: uniform",
+                                      "sorting: two sizes, 1:100"};
+    Results others = all;
+    others.suffix = "Scenes";
+    others.comments.front().second = "Neighbour search, other scenes";
+    const auto isFirst = [&](const auto& measurement) { return first.count(measurement.method) > 0; };
+    const auto keepIf = [](Results& results, const auto& wanted)
+    {
+        auto& rows = results.measurements;
+        rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const auto& row) { return !wanted(row); }), rows.end());
+    };
+    keepIf(all, isFirst);
+    keepIf(others, [&](const auto& row) { return !isFirst(row) || row.method == "uniform"; });
+    all.beside = {others};
+    return all;
 }
 
 Results measure()
@@ -180,7 +211,7 @@ Results measure()
         measureAt(number, rows, results);
     }
     summarize(rows, results);
-    return results;
+    return inTwoPictures(results);
 }
 
 } // namespace
