@@ -44,7 +44,12 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     }
 
     Vector<Dim>& stretch = *spring;
-    const double length = stretch.norm() * springs.springScale;
+    const double scale = std::min(springs.stiffnessRatio, 1.0);
+    if (loss)
+    {
+        *loss += springs.tangentialStiffness / 2 * (springs.stiffnessRatio - scale * scale) * stretch.squaredNorm();
+    }
+    const double length = stretch.norm() * scale;
     stretch -= stretch.dot(contact.normal) * contact.normal;
     const double projected = stretch.norm();
     if (projected > 0)

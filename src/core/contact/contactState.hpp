@@ -30,8 +30,9 @@ struct ContactSprings
     /// Its slope, and the stiffness against slip [N/m].
     double normalStiffness;
     double tangentialStiffness;
-    /// What the tangential spring's length is multiplied with because its stiffness has changed since the last step.
-    double springScale;
+    /// Tangential stiffness one step ago over that now. While it grows the tangential force keeps its size, while it
+    /// falls the spring keeps its length.
+    double stiffnessRatio;
 };
 
 } // namespace chesil

@@ -47,12 +47,11 @@ struct HertzMindlinLaw
     ContactSprings springs(const ContactState<Dim>& contact) const
     {
         const double root = std::sqrt(contact.effectiveRadius * contact.depth);
-        const bool loading = contact.previousDepth < contact.depth;
         return {
             4.0 / 3.0 * effectiveModulus * root * contact.depth,
             2 * effectiveModulus * root,
             8 * effectiveShearModulus * root,
-            loading ? std::sqrt(contact.previousDepth / contact.depth) : 1};
+            std::sqrt(contact.previousDepth / contact.depth)};
     }
 };
 

@@ -153,6 +153,11 @@ VtkOutput::VtkOutput(std::string caseFolder, const World& world, const std::vect
     {
         throw SetupError(folder, "(whole folder)", error.message(), "a folder that can be written to");
     }
+    writeWalls(world);
+}
+
+void VtkOutput::writeWalls(const World& world) const
+{
     std::vector<Polyline> walls;
     for (const PlaneWall<2>& wall : world.walls())
     {
@@ -181,6 +186,11 @@ void VtkOutput::write(const World& world, double time)
 
     const std::string name = nameOf(written_.size());
     writeAside(caseFolder_ + "/" + name, [&](std::ostream& file) { writePolyData(file, "Polys", grains, arrays); });
+    const auto movesAtAll = [](const PlaneWall<2>& wall) { return moves(wall.motion); };
+    if (std::any_of(world.walls().begin(), world.walls().end(), movesAtAll))
+    {
+        writeWalls(world);
+    }
     written_.emplace_back(time, name);
     writeIndex();
 }

@@ -10,7 +10,7 @@ namespace chesil
 {
 
 /// Pictures of a run for ParaView: `<case>/grains/grains_<n>.vtp`, one closed polygon a grain along its true
-/// curved outline, `<case>/grains/walls.vtp`, and the index `<case>/grains.pvd`. All are written aside and
+/// curved outline, `<case>/grains/walls.vtp` (walls that move: as they are at the last state), and the index `<case>/grains.pvd`. All are written aside and
 /// renamed, so that none is ever seen half written. Throws SetupError if a file cannot be written.
 class VtkOutput
 {
@@ -27,6 +27,7 @@ public:
 
 private:
     static std::string nameOf(std::size_t index);
+    void writeWalls(const World& world) const;
     void writeIndex() const;
 
     std::string caseFolder_;

@@ -146,7 +146,14 @@ private:
     double rollingRadius(const Contact<2>& contact) const;
     void noteStiffness(std::size_t i, std::size_t j, const ContactSprings& springs);
     template <class Law>
+    void release(const Law& law, std::size_t index);
+    template <class Law>
+    ContactState<2> stateAtRest(const Contact<2>& contact) const;
+    template <class Law>
     double energyOf(const Law& law, std::size_t index) const;
+    /// Of the tangential spring and that of rolling resistance [J]: what is lost when the contact ends.
+    template <class Law>
+    double springEnergyOf(const Law& law, std::size_t index) const;
     template <class Damping>
     void withLoss(double EnergyLedger::*loss, double timeStep, const Damping& damp);
     void addWorks(double timeStep);

@@ -81,18 +81,18 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
 {
     Contact<2>& contact = list_.contacts()[index];
     Contact<2>* second = list_.placesOf(index) == 2 ? &contact + 1 : nullptr;
+    const Law& law = lawOf(laws, contact);
     ContactGeometry<2> found;
     if (!(contact.withWall() ? touchesWall(contact, found) : touchesGrain(contact, found)))
     {
-        list_.release(index);
+        release(law, index);
         if (second)
         {
-            list_.release(index + 1);
+            release(law, index + 1);
         }
         return;
     }
     contact.normal = found.normal;
-    const Law& law = lawOf(laws, contact);
     std::array<ContactGeometry<2>, 2> places;
     if (second && areFlat(contact, found, places))
     {
@@ -110,8 +110,18 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
     load(law, index, found, timeStep);
     if (second)
     {
-        list_.release(index + 1);
+        release(law, index + 1);
     }
+}
+
+template <class Law>
+void World::release(const Law& law, std::size_t index)
+{
+    if (ledger_ && contacts()[index].depth > 0)
+    {
+        ledger_->contacts += springEnergyOf(law, index);
+    }
+    list_.release(index);
 }
 
 template <class Law>
@@ -119,7 +129,7 @@ void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& ge
 {
     if (!(geometry.depth > 0))
     {
-        list_.release(index);
+        release(law, index);
         return;
     }
     Contact<2>& contact = list_.contacts()[index];
@@ -294,20 +304,32 @@ double World::contactEnergy() const
 }
 
 template <class Law>
-double World::energyOf(const Law& law, std::size_t index) const
+ContactState<2> World::stateAtRest(const Contact<2>& contact) const
 {
-    const Contact<2>& contact = contacts()[index];
     ContactState<2> state{contact.depth, contact.normal, Vector2::Zero(), 0};
     if constexpr (Law::usesCurvature)
     {
         state.effectiveRadius = effectiveRadius(contact);
     }
-    const Vector2 stretch = springs().empty() ? Vector2(Vector2::Zero()) : springs()[index];
-    double energy = elasticEnergy(law, state, stretch);
+    return state;
+}
+
+template <class Law>
+double World::energyOf(const Law& law, std::size_t index) const
+{
+    const ContactState<2> state = stateAtRest<Law>(contacts()[index]);
+    return elasticEnergy(law, state, Vector2(Vector2::Zero())) + springEnergyOf(law, index);
+}
+
+template <class Law>
+double World::springEnergyOf(const Law& law, std::size_t index) const
+{
+    const ContactSprings stiffness = law.springs(stateAtRest<Law>(contacts()[index]));
+    double energy = springs().empty() ? 0 : 0.5 * stiffness.tangentialStiffness * springs()[index].squaredNorm();
     if (const std::vector<double>& turns = list_.turns(); !turns.empty())
     {
-        const double arm = law.rollingFriction * rollingRadius(contact);
-        energy += 0.5 * rollingStiffness * law.springs(state).normalStiffness * arm * arm * turns[index] * turns[index];
+        const double arm = law.rollingFriction * rollingRadius(contacts()[index]);
+        energy += 0.5 * rollingStiffness * stiffness.normalStiffness * arm * arm * turns[index] * turns[index];
     }
     return energy;
 }

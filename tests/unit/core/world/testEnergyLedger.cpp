@@ -94,3 +94,24 @@ TEST(EnergyLedger, knowsTheEnergyOfCohesion)
     EXPECT_LT(residualShare(settings, 0.5, 0.1), 5e-3);
     EXPECT_LT(residualShare(settings, 0.5, 0.01), 5e-4);
 }
+
+TEST(EnergyLedger, closesForHertzAndMindlinToo)
+{
+    // Of disks: where the radius of curvature changes as grains roll, Hertz's force has no potential.
+    WorldSettings settings = test::freeBall();
+    settings.gravity = Vector2(0, -9.81);
+    settings.shapes.push_back({"small", Circle(0.03)});
+    settings.walls = {test::floorWall(), {"left", Vector2(0, 0), Vector2(1, 0)}, {"right", Vector2(0.4, 0), Vector2(-1, 0)}};
+    settings.grains = placeOnLattice(settings.shapes, {0, 1}, 12, {Vector2(0, 0), Vector2(0.4, 1)}, 5);
+    LawTable<HertzMindlinLaw> laws;
+    const ElasticMaterial soft{1e7, 0.3};
+    laws.only().effectiveModulus = effectiveModulusOf(soft, soft);
+    laws.only().effectiveShearModulus = effectiveShearModulusOf(soft, soft);
+    laws.only().friction = 0.5;
+    laws.only().dampingRatio = dampingRatioOf(0.8);
+    settings.contact = laws;
+    const double coarse = residualShare(settings, 0.5, 0.1);
+    const double fine = residualShare(settings, 0.5, 0.025);
+    EXPECT_LT(coarse, 5e-3);
+    EXPECT_LT(fine, 0.5 * coarse);
+}
