@@ -21,7 +21,11 @@ double residualShare(WorldSettings settings, double duration, double shareOfStab
     double worst = 0;
     while (world.time() < duration)
     {
-        EXPECT_EQ(world.step(timeStep), StepStatus::done);
+        if (world.step(timeStep) != StepStatus::done)
+        {
+            ADD_FAILURE() << "at " << world.time() << " s";
+            return 1;
+        }
         const EnergyLedger& ledger = *world.energyLedger();
         const double residual = ledger.residual(kineticEnergy(world.bodies()), world.contactEnergy());
         worst = std::max(worst, std::abs(residual));
@@ -104,7 +108,7 @@ TEST(EnergyLedger, closesForHertzAndMindlinToo)
     settings.walls = {test::floorWall(), {"left", Vector2(0, 0), Vector2(1, 0)}, {"right", Vector2(0.4, 0), Vector2(-1, 0)}};
     settings.grains = placeOnLattice(settings.shapes, {0, 1}, 12, {Vector2(0, 0), Vector2(0.4, 1)}, 5);
     LawTable<HertzMindlinLaw> laws;
-    const ElasticMaterial soft{1e7, 0.3};
+    const ElasticMaterial soft{1e9, 0.3};
     laws.only().effectiveModulus = effectiveModulusOf(soft, soft);
     laws.only().effectiveShearModulus = effectiveShearModulusOf(soft, soft);
     laws.only().friction = 0.5;
