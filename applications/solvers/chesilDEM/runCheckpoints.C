@@ -68,6 +68,18 @@ std::optional<Foam::checkpointedRun> Foam::runCheckpoints::resume
     }
     if (!newest.path)
     {
+        // To start anew would remove what the user wanted to go on from
+        if (!newest.broken.empty())
+        {
+            throw chesil::SetupError
+            (
+                "checkpoints",
+                "(all files)",
+                "no whole checkpoint",
+                "one to go on from, or startFrom startTime in"
+                " system/controlDict to start anew"
+            );
+        }
         return std::nullopt;
     }
     chesil::CheckpointReader reader(*newest.path);
