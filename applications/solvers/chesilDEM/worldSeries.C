@@ -48,7 +48,8 @@ Foam::worldSummary::worldSummary(const chesil::World& world)
 
 Foam::scalar Foam::worldSummary::unrest() const
 {
-    return contactEnergy > 0 ? kineticEnergy/contactEnergy : VGREAT;
+    // That of cohesion is negative
+    return contactEnergy != 0 ? kineticEnergy/mag(contactEnergy) : VGREAT;
 }
 
 
