@@ -19,7 +19,7 @@ namespace
 
 /// Share of the smallest grain's radius that grains may move before neighbours are searched again: the optimum
 /// between long lists and frequent searches is flat around it.
-constexpr double skinShare = 0.3;
+constexpr double skinShare = 0.2;
 
 template <class Predicate>
 bool anyLaw(const ContactLaws& laws, Predicate predicate)
