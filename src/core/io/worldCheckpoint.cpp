@@ -152,6 +152,7 @@ void addState(CheckpointWriter& writer, const WorldState& state)
     writer.add("inverseMass", state.inverseMass);
     writer.add("inverseInertia", state.inverseInertia);
     writer.add("positionsAtSearch", flat(state.positionsAtSearch));
+    writer.add("anglesAtSearch", state.anglesAtSearch);
     addContacts(writer, state.contacts);
     writer.add("springs", state.springs);
     writer.add("turns", state.turns);
@@ -175,6 +176,7 @@ WorldState takeState(CheckpointReader& reader)
     state.inverseMass = reader.take<double>("inverseMass");
     state.inverseInertia = reader.take<double>("inverseInertia");
     state.positionsAtSearch = takeVectors(reader, "positionsAtSearch");
+    state.anglesAtSearch = reader.take<double>("anglesAtSearch");
     state.contacts = takeContacts(reader);
     state.springs = reader.take<double>("springs");
     state.turns = reader.take<double>("turns");

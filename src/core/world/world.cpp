@@ -21,6 +21,27 @@ namespace
 /// between long lists and frequent searches is flat around it.
 constexpr double skinShare = 0.2;
 
+/// Bounding over inscribed radius from which on a grain is looked for by the upright box about it, not by the circle: the
+/// box is narrower, but no longer holds once the grain has turned.
+constexpr double slenderFrom = 2;
+
+bool isSlender(const Shape& shape)
+{
+    return boundingRadius(shape) > slenderFrom * std::visit([](const auto& actual) { return actual.innerRadius(); }, shape);
+}
+
+/// Of the upright box about the centroid [m].
+Vector2 halfExtentOf(const Shape& shape, const Rotation<2>& rotation)
+{
+    Vector2 half;
+    for (int k = 0; k < 2; ++k)
+    {
+        const Vector2 direction = rotation.applyInverse(Vector2::Unit(k));
+        half[k] = std::max(support(shape, direction).dot(direction), support(shape, -direction).dot(-direction));
+    }
+    return half;
+}
+
 template <class Predicate>
 bool anyLaw(const ContactLaws& laws, Predicate predicate)
 {
@@ -65,6 +86,7 @@ World::World(WorldSettings settings)
         masses_.push_back(massProperties(named.shape));
         straightSided_.push_back(hasStraightSides(named.shape));
         stiffness_.push_back(largestStiffness(boundingRadius(named.shape)));
+        slender_.push_back(isSlender(named.shape));
     }
     const std::vector<GrainState> grains = std::move(settings_.grains);
     settings_.grains = {};
@@ -316,7 +338,12 @@ bool World::hasLeft(std::size_t grain, double most) const
     {
         moved -= strainSinceSearch_ * (old - cell_->cell.lower());
     }
-    return !(moved.squaredNorm() <= most * most);
+    double left = most;
+    if (!anglesAtSearch_.empty() && slender_[static_cast<std::size_t>(bodies_.shape[grain])])
+    {
+        left -= bodies_.boundingRadius[grain] * std::abs(bodies_.pose[grain].rotation.angle() - anglesAtSearch_[grain]);
+    }
+    return !(left > 0 && moved.squaredNorm() <= left * left);
 }
 
 bool World::neighboursAreStale() const
@@ -349,6 +376,10 @@ void World::findNeighbours()
     std::transform(
         bodies_.pose.begin(), bodies_.pose.end(), positionsAtSearch_.begin(), [](const Pose<2>& p) { return p.position; });
     walls_.noteSearch();
+    if (std::find(slender_.begin(), slender_.end(), true) != slender_.end())
+    {
+        noteBoxes();
+    }
     findContacts();
     lost_ = brokenState() != StepStatus::done;
 }
@@ -374,12 +405,24 @@ void World::wrapGrains()
     }
 }
 
+void World::noteBoxes()
+{
+    halfExtents_.resize(bodies_.size());
+    anglesAtSearch_.resize(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        const double radius = bodies_.boundingRadius[i];
+        const bool slender = slender_[static_cast<std::size_t>(bodies_.shape[i])];
+        halfExtents_[i] = slender ? halfExtentOf(shapeOf(i), bodies_.pose[i].rotation) : Vector2(radius, radius);
+        anglesAtSearch_[i] = bodies_.pose[i].rotation.angle();
+    }
+}
+
 void World::findContacts()
 {
-    const std::vector<Vector2> noBoxes;
     const std::vector<NeighbourPair>& pairs = cell_
-        ? search_.find(positionsAtSearch_, noBoxes, bodies_.boundingRadius, skin_, cell_->cell)
-        : search_.find(positionsAtSearch_, noBoxes, bodies_.boundingRadius, skin_);
+        ? search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_, cell_->cell)
+        : search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_);
     list_.restart(pairs.size());
     for (const auto& [first, second, shift] : pairs)
     {

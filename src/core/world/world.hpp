@@ -137,6 +137,7 @@ private:
     void noteStrain();
     void updateForces(double timeStep, bool stale);
     void findNeighbours();
+    void noteBoxes();
     void findContacts();
     double mostMovement() const;
     bool neighboursAreStale() const;
@@ -190,6 +191,7 @@ private:
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
     std::vector<bool> straightSided_;
+    std::vector<bool> slender_;
     /// Of each shape: largest stiffness of its contacts that the stable step allows for [N/m].
     std::vector<double> stiffness_;
     Bodies<2> bodies_;
@@ -204,6 +206,9 @@ private:
     /// Between the centroids of two near grains [m], at most.
     double largestReach_ = 0;
     std::vector<Vector2> positionsAtSearch_;
+    /// Of each grain's upright box about its centroid [m], and its angle then [rad]; empty unless there are slender grains.
+    std::vector<Vector2> halfExtents_;
+    std::vector<double> anglesAtSearch_;
     std::optional<StrainedCell> cell_;
     Vector2 firstAtSearch_ = Vector2::Zero();
     Vector2 secondAtSearch_ = Vector2::Zero();

@@ -49,6 +49,7 @@ WorldState World::state() const
     state.inverseMass = bodies_.inverseMass;
     state.inverseInertia = bodies_.inverseInertia;
     state.positionsAtSearch = positionsAtSearch_;
+    state.anglesAtSearch = anglesAtSearch_;
     state.contacts = list_.contacts();
     state.springs = list_.springs();
     state.turns = list_.turns();
@@ -78,6 +79,10 @@ void World::resume(WorldState state)
     {
         requireSame("walls", found, walls().size());
     }
+    if (!state.anglesAtSearch.empty())
+    {
+        requireSame("angles at the last search", state.anglesAtSearch.size(), bodies_.size());
+    }
     requireSame("vectors of a periodic cell", state.cell.size(), cell_ ? 6 : 0);
     requireSameGrains(state.inverseMass, bodies_.inverseMass);
     requireSameGrains(state.inverseInertia, bodies_.inverseInertia);
@@ -91,6 +96,7 @@ void World::resume(WorldState state)
     bodies_.force = std::move(state.force);
     bodies_.torque = std::move(state.torque);
     positionsAtSearch_ = std::move(state.positionsAtSearch);
+    anglesAtSearch_ = std::move(state.anglesAtSearch);
     list_.resume(std::move(state.contacts), std::move(state.springs), std::move(state.turns));
     walls_.resume(state.wallPoints, state.wallPointsAtSearch, std::move(state.wallStates));
     if (cell_)

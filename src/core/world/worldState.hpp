@@ -27,6 +27,8 @@ struct WorldState
     std::vector<double> inverseMass;
     std::vector<double> inverseInertia;
     std::vector<Vector2> positionsAtSearch;
+    /// Empty without slender grains.
+    std::vector<double> anglesAtSearch;
     std::vector<Contact<2>> contacts;
     /// Empty without friction; without rolling resistance.
     std::vector<double> springs;
