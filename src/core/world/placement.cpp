@@ -2,6 +2,7 @@
 
 #include "core/base/setupError.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -111,6 +112,35 @@ std::vector<GrainState> placeOnLattice(const std::vector<NamedShape>& shapes,
         grains.push_back(grainAt(i, shapeOfGrain[i], shapes, lattice, engine));
     }
     return grains;
+}
+
+void numberByPlace(std::vector<GrainState>& grains)
+{
+    if (grains.empty())
+    {
+        return;
+    }
+    Vector2 lower = grains.front().position;
+    Vector2 upper = lower;
+    for (const GrainState& grain : grains)
+    {
+        lower = lower.cwiseMin(grain.position);
+        upper = upper.cwiseMax(grain.position);
+    }
+    const Vector2 extent = upper - lower;
+    // As many rows as if the grains stood on a square lattice.
+    const double height = std::max(std::sqrt(extent.x() * extent.y() / static_cast<double>(grains.size())),
+                                   extent.y() / static_cast<double>(grains.size()));
+    const auto rowOf = [&](const GrainState& grain)
+    { return height > 0 ? std::floor((grain.position.y() - lower.y()) / height) : 0; };
+    std::stable_sort(
+        grains.begin(), grains.end(),
+        [&](const GrainState& a, const GrainState& b)
+        {
+            const double rowA = rowOf(a);
+            const double rowB = rowOf(b);
+            return rowA != rowB ? rowA < rowB : a.position.x() < b.position.x();
+        });
 }
 
 } // namespace chesil

@@ -30,4 +30,8 @@ std::vector<GrainState> placeOnLattice(const std::vector<NamedShape>& shapes,
                                        const std::vector<int>& shapeOfGrain, const PlacementBox& box,
                                        RandomEngine& engine);
 
+/// Numbers grains anew, row by row as a lattice is, so that those near each other have near numbers: a step of 10^6 disks
+/// is five times faster than in random order (benchmark dryLinearity). Positions must be finite.
+void numberByPlace(std::vector<GrainState>& grains);
+
 } // namespace chesil

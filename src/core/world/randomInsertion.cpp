@@ -229,7 +229,9 @@ std::vector<GrainState> insertAtRandom(const std::vector<NamedShape>& shapes,
             refuse(placed, order.size(), shapeAt(index), box);
         }
     }
-    return placed.grains();
+    std::vector<GrainState> grains = placed.grains();
+    numberByPlace(grains);
+    return grains;
 }
 
 } // namespace chesil

@@ -14,7 +14,7 @@ constexpr int triesForPlace = 100000;
 
 /// Grains (entry i of `shapeOfGrain` for each) at random positions and angles, their outlines within the box
 /// and at least `gap` [m] apart; the exact distance decides. Random sequential insertion, largest bounding
-/// radius first: so they are numbered, too. Throws ValueError if the box is empty, gap is negative or not
+/// radius first; numbered by place. Throws ValueError if the box is empty, gap is negative or not
 /// finite, or a grain finds no place in `triesForPlace` tries. Method: Widom, J. Chem. Phys. 44 (1966) 3888.
 std::vector<GrainState> insertAtRandom(const std::vector<NamedShape>& shapes,
                                        const std::vector<int>& shapeOfGrain, const PlacementBox& box,

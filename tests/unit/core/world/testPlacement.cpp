@@ -105,3 +105,35 @@ TEST(Placement, noneIsNone)
 {
     EXPECT_TRUE(placeOnLattice(test::shapesOfEachKind(174), {0}, 0, box, 1).empty());
 }
+
+TEST(Placement, numbersByPlaceAreNearWhereGrainsAre)
+{
+    test::RandomSource random(175);
+    std::vector<GrainState> grains(2000);
+    double sum = 0;
+    for (GrainState& grain : grains)
+    {
+        grain.position = Vector2(random.uniform(-3, 1), random.uniform(5, 6));
+        sum += grain.position.x();
+    }
+    numberByPlace(grains);
+    double sumAfter = 0;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        sumAfter += grains[i].position.x();
+        for (std::size_t j = i + 1; j < grains.size(); ++j)
+        {
+            // Rows of 89 grains, 0.045 m high: a grain this near is in the same row or the next one.
+            if ((grains[i].position - grains[j].position).norm() < 0.03)
+            {
+                EXPECT_LT(j - i, 2u * 89 + 40);
+            }
+        }
+    }
+    EXPECT_NEAR(sumAfter, sum, 1e-9);
+    std::vector<GrainState> none;
+    numberByPlace(none);
+    std::vector<GrainState> stacked(3);
+    numberByPlace(stacked);
+    EXPECT_EQ(stacked.size(), 3u);
+}

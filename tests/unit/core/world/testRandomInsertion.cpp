@@ -202,17 +202,6 @@ TEST(RandomInsertion, theSeedDecides)
     EXPECT_NE(hash(1), hash(2));
 }
 
-TEST(RandomInsertion, largestFirst)
-{
-    const Composition composition{{{0, 1}}, sizeClasses(UniformRatio(0.3, 1), 8)};
-    const Packing packing = fill(test::shapesOfEachKind(194), composition, 0.4, 0, 1);
-    for (std::size_t i = 1; i < packing.grains.size(); ++i)
-    {
-        EXPECT_LE(boundingRadius(packing.shapeOf(packing.grains[i])),
-                  boundingRadius(packing.shapeOf(packing.grains[i - 1])));
-    }
-}
-
 TEST(RandomInsertion, timeIsNearlyLinear)
 {
     // Sizes, up to a factor that gives the number wanted.
