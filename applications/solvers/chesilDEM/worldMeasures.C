@@ -48,7 +48,10 @@ std::optional<double> areaOf(const World& world)
     std::vector<std::pair<chesil::Vector2, chesil::Vector2>> halfPlanes;
     for (const chesil::PlaneWall<2>& wall : world.walls())
     {
-        halfPlanes.emplace_back(wall.point, wall.normal);
+        if (!wall.plate)
+        {
+            halfPlanes.emplace_back(wall.point, wall.normal);
+        }
     }
     return chesil::enclosedArea(halfPlanes);
 }

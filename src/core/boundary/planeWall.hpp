@@ -3,13 +3,24 @@
 #include "core/base/pose.hpp"
 #include "core/base/vector.hpp"
 #include "core/boundary/wallMotion.hpp"
+#include "core/shapes/shape.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 namespace chesil
 {
 
-/// A flat wall without end. Grains live on the side that the normal points to.
+/// What a wall is that ends: a thin plate, in a frame at the middle of its length that stands as the world's.
+struct Plate
+{
+    Shape outline;
+    /// From the middle to the second end [m].
+    Vector2 half;
+};
+
+/// A flat wall without end: grains live on the side that the normal points to. Or a plate: they live on both.
 template <int Dim>
 struct PlaneWall
 {
@@ -21,9 +32,27 @@ struct PlaneWall
     /// Index of its material.
     int material = 0;
     WallMotion motion{};
+    /// Its middle is `point`.
+    std::optional<Plate> plate{};
 
+    Pose<Dim> pose() const { return {point, {}}; }
+
+    /// From the plane [m]; positive on the normal's side.
     double distance(const Vector<Dim>& position) const { return (position - point).dot(normal); }
 };
+
+/// From a position to the nearest point of the wall's plane, or of its plate's middle line [m]; not negative for a plate.
+inline double nearestTo(const PlaneWall<2>& wall, const Vector2& position)
+{
+    if (!wall.plate)
+    {
+        return wall.distance(position);
+    }
+    const Vector2& half = wall.plate->half;
+    const Vector2 arm = position - wall.point;
+    const double along = std::max(-1.0, std::min(arm.dot(half) / half.squaredNorm(), 1.0));
+    return (arm - along * half).norm();
+}
 
 /// The grain's point deepest in the wall (its foot point, world frame [m]) by one support call.
 template <int Dim, class ShapeType>

@@ -83,13 +83,17 @@ void writePolyData(std::ostream& file, const char* kind, const std::vector<Polyl
 /// The part of a wall inside all other walls; where none bounds it, as long as the grains' extent along it.
 Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
 {
+    if (wall.plate)
+    {
+        return {{wall.point - wall.plate->half, wall.point + wall.plate->half}};
+    }
     const Vector2 tangent = perpendicular(wall.normal);
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
     for (const PlaneWall<2>& other : world.walls())
     {
         const double slope = tangent.dot(other.normal);
-        if (&other != &wall && slope != 0)
+        if (&other != &wall && !other.plate && slope != 0)
         {
             const double crossing = -other.distance(wall.point) / slope;
             (slope > 0 ? from : to) = slope > 0 ? std::max(from, crossing) : std::min(to, crossing);

@@ -93,6 +93,10 @@ bool flatContact(
     const ContactGeometry<2>& contact,
     std::array<ContactGeometry<2>, 2>& places)
 {
+    if (wall.plate)
+    {
+        return flatContact(shape, pose, wall.plate->outline, wall.pose(), contact, places);
+    }
     const StraightSide* facing = sideFacing(shape, pose.rotation.applyInverse(contact.normal));
     if (!facing)
     {

@@ -1,10 +1,18 @@
 #include "core/world/wallContact.hpp"
 
+#include "core/world/pairContact.hpp"
+
 namespace chesil
 {
 
-bool wallContact(const Shape& shape, const Pose<2>& pose, const PlaneWall<2>& wall, ContactGeometry<2>& contact)
+bool wallContact(
+    const Shape& shape, const Pose<2>& pose, const PlaneWall<2>& wall, SearchStart& start, ContactGeometry<2>& contact)
 {
+    if (wall.plate)
+    {
+        const PairStatus status = pairContact(shape, pose, wall.plate->outline, wall.pose(), start, contact);
+        return status == PairStatus::overlapping || status == PairStatus::coarse;
+    }
     const Vector2 foot = std::visit([&](const auto& actual) { return footPoint(actual, pose, wall); }, shape);
     const double depth = -wall.distance(foot);
     if (!(depth > 0))

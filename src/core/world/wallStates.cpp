@@ -12,6 +12,10 @@ WallStates::WallStates(const std::vector<PlaneWall<2>>& walls)
   states_(walls.size()),
   anyMoves_(std::any_of(walls.begin(), walls.end(), [](const PlaneWall<2>& wall) { return moves(wall.motion); }))
 {
+    for (const PlaneWall<2>& wall : walls_)
+    {
+        halfThickness_.push_back(wall.plate ? support(wall.plate->outline, wall.normal).dot(wall.normal) : 0);
+    }
     noteSearch();
 }
 
@@ -90,7 +94,8 @@ double WallStates::movedSinceSearch() const
     double most = 0;
     for (std::size_t w = 0; w < walls_.size(); ++w)
     {
-        most = std::max(most, std::abs(walls_[w].normal.dot(walls_[w].point - pointsAtSearch_[w])));
+        const Vector2 way = walls_[w].point - pointsAtSearch_[w];
+        most = std::max(most, walls_[w].plate ? way.norm() : std::abs(walls_[w].normal.dot(way)));
     }
     return most;
 }

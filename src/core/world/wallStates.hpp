@@ -31,6 +31,9 @@ public:
     const std::vector<PlaneWall<2>>& walls() const { return walls_; }
     const std::vector<WallState>& states() const { return states_; }
 
+    /// Of a plate, else 0 [m].
+    double halfThickness(std::size_t wall) const { return halfThickness_[wall]; }
+
     /// False if none ever moves: then nothing below is needed but the forces.
     bool anyMoves() const { return anyMoves_; }
 
@@ -56,7 +59,7 @@ public:
     /// That all walls have done since the start [J].
     double work() const;
 
-    /// Farthest that a wall has come from where it was at noteSearch() [m].
+    /// Farthest that a wall has come from where it was at noteSearch(), if it does not end along its normal [m].
     double movedSinceSearch() const;
     void noteSearch();
 
@@ -70,6 +73,7 @@ private:
     std::vector<PlaneWall<2>> walls_;
     std::vector<WallState> states_;
     std::vector<Vector2> pointsAtSearch_;
+    std::vector<double> halfThickness_;
     bool anyMoves_;
 };
 

@@ -433,7 +433,7 @@ void World::findContacts()
     {
         for (std::size_t w = walls_.walls().size(); w-- > 0;)
         {
-            if (walls()[w].distance(positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + skin_)
+            if (nearestTo(walls()[w], positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + walls_.halfThickness(w) + skin_)
             {
                 list_.add(static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w), isStraightSided(i));
             }

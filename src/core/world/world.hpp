@@ -164,7 +164,7 @@ private:
     template <bool periodic>
     bool touchesGrain(Contact<2>& contact, ContactGeometry<2>& found);
     PairStatus queryGrains(Contact<2>& contact, const Pose<2>& poseJ, ContactGeometry<2>& found);
-    bool touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const;
+    bool touchesWall(Contact<2>& contact, ContactGeometry<2>& found) const;
     template <bool periodic>
     bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
     template <bool periodic, class Law>

@@ -255,12 +255,20 @@ PairStatus World::queryGrains(Contact<2>& contact, const Pose<2>& poseJ, Contact
     return status;
 }
 
-bool World::touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const
+bool World::touchesWall(Contact<2>& contact, ContactGeometry<2>& found) const
 {
     const auto i = static_cast<std::size_t>(contact.first);
     const PlaneWall<2>& wall = walls()[contact.wall()];
     const Pose<2>& pose = bodies_.pose[i];
-    return wall.distance(pose.position) <= bodies_.boundingRadius[i] && wallContact(shapeOf(i), pose, wall, found);
+    if (!(nearestTo(wall, pose.position) <= bodies_.boundingRadius[i] + walls_.halfThickness(contact.wall())))
+    {
+        return false;
+    }
+    SearchStart start{contact.normal, contact.turn};
+    const bool touches = wallContact(shapeOf(i), pose, wall, start, found);
+    contact.normal = start.direction;
+    contact.turn = static_cast<float>(start.turn);
+    return touches;
 }
 
 double World::effectiveRadius(const Contact<2>& contact) const
