@@ -56,7 +56,7 @@ inline void writeLammpsDisks(const Scene& scene, const std::string& path)
     }
 }
 
-/// The same vertices for all grains of a template; each body's own are turned.
+/// Each body with its own vertices, turned as it is; only its polar moment matters in the plane.
 inline void writeLammpsPolygons(const Scene& scene, const std::string& path)
 {
     std::ofstream file = lammpsFile(scene, path);
@@ -84,16 +84,12 @@ inline void writeLammpsPolygons(const Scene& scene, const std::string& path)
         const std::size_t sides = polygon.core.size();
         const double polar = inertia[static_cast<std::size_t>(grain.shape)];
         const Rotation<2> turn(grain.angle);
-        file << i + 1 << " 1 " << 6 + 5 * sides + 1 << '\n'
+        file << i + 1 << " 1 " << 6 + 3 * sides + 1 << '\n'
              << sides << '\n'
              << polar / 2 << ' ' << polar / 2 << ' ' << polar << " 0 0 0\n";
         for (const Vector2& vertex : polygon.core)
         {
             file << turn.apply(vertex).transpose() << " 0\n";
-        }
-        for (std::size_t k = 0; k < sides; ++k)
-        {
-            file << k << ' ' << (k + 1) % sides << '\n';
         }
         file << 2 * polygon.radius << '\n';
     }

@@ -45,8 +45,8 @@ struct Scene
 {
     Grains kind = Grains::disks;
     Bounds bounds = Bounds::cell;
-    Vector2 first;
-    Vector2 second;
+    Vector2 first = Vector2::Zero();
+    Vector2 second = Vector2::Zero();
     std::vector<GrainState> grains;
 
     static Eigen::Matrix2d velocityGradient()
