@@ -20,7 +20,9 @@ namespace
 constexpr int cellGrains = 2000;
 constexpr std::array<std::array<int, 2>, 3> repeats = {{{1, 1}, {5, 2}, {10, 10}}};
 constexpr double diskFraction = 0.845;
+/// Solid fractions at which these have as many contacts.
 constexpr double polyBezierFraction = 0.87;
+constexpr double polygonFraction = 0.86;
 /// Of walls around a packing cut out of a cell [m].
 constexpr double wallMargin = 0.1;
 
@@ -44,8 +46,19 @@ void packPolyBeziers(const std::string& folder)
         const Scene scene = tiled(cell, along, up);
         const std::string path = text("%s/polyBeziers%zu", folder.c_str(), scene.grains.size());
         writeScene(scene, path + ".scene");
-        writeLammpsPolygons(scene, path + ".data");
         writeScene(boxed(scene, wallMargin), path + "Box.scene");
+    }
+}
+
+void packPolygons(const std::string& folder)
+{
+    const Scene cell = flowingCell(Grains::polygons, cellGrains, polygonFraction);
+    for (const auto& [along, up] : {repeats[0], repeats[1]})
+    {
+        const Scene scene = tiled(cell, along, up);
+        const std::string path = text("%s/polygons%zu", folder.c_str(), scene.grains.size());
+        writeScene(scene, path + ".scene");
+        writeLammpsPolygons(scene, path + ".data");
     }
 }
 
@@ -84,8 +97,9 @@ int main(int argumentCount, char** arguments)
     {
         if (words.size() == 2 && words[0] == "-pack")
         {
-            if (!std::getenv("ND")) packDisks(words[1]);
+            packDisks(words[1]);
             packPolyBeziers(words[1]);
+            packPolygons(words[1]);
         }
         else if (words.size() == 3 && words[0] == "-serve")
         {

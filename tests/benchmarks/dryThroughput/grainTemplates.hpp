@@ -81,4 +81,39 @@ inline RoundedPolygon roundedPolygonOf(int number, const Shape& grain, double ra
     return result;
 }
 
+/// Radius of the rounding that LAMMPS's polygons must have [m].
+constexpr double lammpsRounding = 0.05;
+
+/// The polygon with sharp corners around a rounded one.
+inline ConvexPolygon mitred(const RoundedPolygon& polygon)
+{
+    const std::size_t sides = polygon.core.size();
+    const auto normalAfter = [&](std::size_t vertex)
+    {
+        const Vector2 side = polygon.core[(vertex + 1) % sides] - polygon.core[vertex % sides];
+        return Vector2(Vector2(side.y(), -side.x()).normalized());
+    };
+    std::vector<Vector2> vertices;
+    for (std::size_t k = 0; k < sides; ++k)
+    {
+        const Vector2 before = normalAfter(k + sides - 1);
+        const Vector2 after = normalAfter(k);
+        vertices.push_back(polygon.core[k] + polygon.radius / (1 + before.dot(after)) * (before + after));
+    }
+    return ConvexPolygon(vertices);
+}
+
+/// LAMMPS's polygons with sharp corners: packed like this by our engine, LAMMPS begins without overlaps, at which its
+/// arrays of contacts would overflow.
+inline std::vector<NamedShape> polygonTemplates()
+{
+    std::vector<NamedShape> shapes;
+    for (const NamedShape& grain : polyBezierTemplates())
+    {
+        const int number = static_cast<int>(shapes.size());
+        shapes.push_back({text("polygon%d", number), mitred(roundedPolygonOf(number, grain.shape, lammpsRounding))});
+    }
+    return shapes;
+}
+
 } // namespace chesil::benchmark

@@ -6,9 +6,6 @@
 namespace chesil::benchmark
 {
 
-/// Radius of the rounding that LAMMPS's polygons must have [m].
-constexpr double lammpsRounding = 0.05;
-
 inline std::ofstream lammpsFile(const Scene& scene, const std::string& path)
 {
     if (scene.first.y() != 0)
@@ -19,7 +16,7 @@ inline std::ofstream lammpsFile(const Scene& scene, const std::string& path)
     file.precision(17);
     file << "a scene of dryThroughput\n\n"
          << scene.grains.size() << " atoms\n1 atom types\n";
-    if (scene.kind == Grains::polyBeziers)
+    if (scene.kind == Grains::polygons)
     {
         file << scene.grains.size() << " bodies\n";
     }
@@ -62,7 +59,7 @@ inline void writeLammpsPolygons(const Scene& scene, const std::string& path)
     std::ofstream file = lammpsFile(scene, path);
     std::vector<RoundedPolygon> polygons;
     std::vector<double> inertia;
-    const std::vector<NamedShape> shapes = templatesOf(scene.kind);
+    const std::vector<NamedShape> shapes = polyBezierTemplates();
     for (int i = 0; i < templates; ++i)
     {
         const Shape& shape = shapes[static_cast<std::size_t>(i)].shape;

@@ -26,11 +26,21 @@ enum class Grains
 {
     disks,
     polyBeziers,
+    polygons,
 };
 
 inline std::vector<NamedShape> templatesOf(Grains grains)
 {
-    return grains == Grains::disks ? diskTemplates() : polyBezierTemplates();
+    switch (grains)
+    {
+    case Grains::disks:
+        return diskTemplates();
+    case Grains::polyBeziers:
+        return polyBezierTemplates();
+    case Grains::polygons:
+        return polygonTemplates();
+    }
+    return {};
 }
 
 /// What holds the grains: a periodic cell in simple shear, or four walls that follow the pure shear of that rate.
@@ -143,9 +153,11 @@ inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond)
 inline double contactsAGrain(const World& world)
 {
     double ends = 0;
-    for (const Contact<2>& contact : world.contacts())
+    for (std::size_t k = 0; k < world.contacts().size(); ++k)
     {
-        if (contact.depth > 0 && contact.place == 0)
+        const Contact<2>& contact = world.contacts()[k];
+        const bool counted = contact.place == 1 && world.contacts()[k - 1].depth > 0;
+        if (contact.depth > 0 && !counted)
         {
             ends += contact.withWall() ? 1 : 2;
         }
