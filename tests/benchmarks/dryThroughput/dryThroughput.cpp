@@ -19,10 +19,6 @@ namespace
 /// Grains of the cell that is repeated, and repeats along both vectors for 2,000, 20,000 and 200,000 grains.
 constexpr int cellGrains = 2000;
 constexpr std::array<std::array<int, 2>, 3> repeats = {{{1, 1}, {5, 2}, {10, 10}}};
-constexpr double diskFraction = 0.845;
-/// Solid fractions at which these have as many contacts.
-constexpr double polyBezierFraction = 0.87;
-constexpr double polygonFraction = 0.86;
 /// Of walls around a packing cut out of a cell [m].
 constexpr double wallMargin = 0.1;
 

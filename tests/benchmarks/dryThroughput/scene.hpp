@@ -14,13 +14,18 @@ namespace chesil::benchmark
 
 /// [1/s].
 constexpr double shearRate = 0.012;
-/// [N/m], [-], [kg/m2]; [1/s] the dashpots' coefficient over the pair's effective mass.
+/// [N/m]; Coulomb coefficient; [kg/m3]; the dashpots' coefficient over the pair's effective mass [1/s].
 constexpr double normalStiffness = 1e5;
 constexpr double friction = 0.5;
 constexpr double sceneDensity = 1;
 constexpr double dampingRate = 50;
 /// [s].
 constexpr double sceneTimeStep = 2e-4;
+
+/// Solid fractions at which these have as many contacts.
+constexpr double diskFraction = 0.845;
+constexpr double polyBezierFraction = 0.87;
+constexpr double polygonFraction = 0.86;
 
 enum class Grains
 {
@@ -123,8 +128,15 @@ inline void wrap(Scene& scene)
     }
 }
 
-/// The cell repeated along its vectors, with the grains' numbers in random order: those of a mixed packing.
-inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond)
+/// At random, as in a packing that has been poured or mixed, or such that near grains have near numbers.
+enum class Numbering
+{
+    random,
+    byPlace,
+};
+
+/// The cell repeated along its vectors.
+inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond, Numbering numbering = Numbering::random)
 {
     Scene result = scene;
     result.first *= alongFirst;
@@ -144,8 +156,16 @@ inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond)
         }
     }
     wrap(result);
-    RandomEngine engine(templateSeed);
-    shuffle(result.grains, engine);
+    if (numbering == Numbering::random)
+    {
+        RandomEngine engine(templateSeed);
+        shuffle(result.grains, engine);
+        return result;
+    }
+    const auto place = [](const GrainState& grain)
+    { return std::pair(std::floor(grain.position.y() / largestDiameter), grain.position.x()); };
+    std::sort(result.grains.begin(), result.grains.end(),
+              [&](const GrainState& a, const GrainState& b) { return place(a) < place(b); });
     return result;
 }
 
