@@ -39,6 +39,12 @@ double orNone(const std::optional<double>& value)
 
 std::optional<double> areaOf(const World& world)
 {
+    if (const chesil::StrainedCell* strained = world.cell())
+    {
+        const chesil::PeriodicCell& cell = strained->cell;
+        const double area = std::abs(chesil::cross(cell.first(), cell.second()));
+        return area > 0 ? std::optional<double>(area) : std::nullopt;
+    }
     std::vector<std::pair<chesil::Vector2, chesil::Vector2>> halfPlanes;
     for (const chesil::PlaneWall<2>& wall : world.walls())
     {
@@ -122,7 +128,7 @@ Row stressRow(const World& world)
         world.contacts(),
         [&](const chesil::Contact<2>& contact)
         {
-            return chesil::branchVector(contact, world.bodies());
+            return world.branchOf(contact);
         },
         *area
     );

@@ -61,7 +61,7 @@ double HierarchicalGrid::widestOf(const Scene& scene)
     for (std::size_t i = 0; i < scene.positions.size(); ++i)
     {
         const Vector2& position = scene.positions[i];
-        const Vector2& half = scene.halfExtents[i];
+        const Vector2 half = scene.halfExtent(i);
         if (std::isfinite(0 * position.x() + 0 * position.y() + half.x() + half.y() + scene.radii[i]))
         {
             levelOf_[i] = 0;
@@ -82,15 +82,14 @@ void HierarchicalGrid::sortIntoLevels(const Scene& scene)
         {
             continue;
         }
-        const double halfX = scene.halfExtents[i].x() + growth;
-        const double halfY = scene.halfExtents[i].y() + growth;
-        const double half = std::max(halfX, halfY);
+        const Vector2 grown = scene.halfExtent(i) + Vector2(growth, growth);
+        const double half = grown.maxCoeff();
         const int halvings = 2 * half >= widest ? 0 : std::min(std::ilogb(widest / half), mostLevels - 1);
         levelOf_[i] = static_cast<std::int8_t>(halvings);
         Level& level = all[static_cast<std::size_t>(halvings)];
         ++level.grains;
-        level.halfX = std::max(level.halfX, halfX);
-        level.halfY = std::max(level.halfY, halfY);
+        level.halfX = std::max(level.halfX, grown.x());
+        level.halfY = std::max(level.halfY, grown.y());
         level.radius = std::max(level.radius, scene.radii[i] + growth);
     }
 
@@ -235,7 +234,7 @@ void HierarchicalGrid::sortIntoBuckets(const Scene& scene, const PeriodicCell* c
     for (const Item& item : items_)
     {
         const auto i = static_cast<std::size_t>(item.grain);
-        const Vector2& half = scene.halfExtents[i];
+        const Vector2 half = scene.halfExtent(i);
         Vector2 position = scene.positions[i];
         if (cell)
         {

@@ -16,14 +16,19 @@ namespace chesil
 class HierarchicalGrid
 {
 public:
-    /// Centres [m], half-extents of the boxes about them [m], radii of bounding circles about them [m], entry
-    /// i for grain i; margin [m]. All but the centres are not negative.
+    /// Centres [m], half-extents of the boxes about them [m] (none: the radii), radii of bounding circles about them
+    /// [m], entry i for grain i; margin [m]. All but the centres are not negative.
     struct Scene
     {
         const std::vector<Vector2>& positions;
         const std::vector<Vector2>& halfExtents;
         const std::vector<double>& radii;
         double margin;
+
+        Vector2 halfExtent(std::size_t i) const
+        {
+            return halfExtents.empty() ? Vector2(radii[i], radii[i]) : halfExtents[i];
+        }
     };
 
     /// A grain or an image of one: position, half-extents and radius [m], the latter ones grown.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace chesil
 {
@@ -15,61 +14,50 @@ constexpr double roundingSlack = 1 + 1e-12;
 
 } // namespace
 
-const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
+const std::vector<NeighbourPair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
                                                                 const std::vector<Vector2>& halfExtents,
                                                                 const std::vector<double>& radii,
                                                                 double margin)
 {
-    shifts_.clear();
     grids_.fill({positions, halfExtents, radii, margin});
-    findAll(found_);
-    order(found_, positions.size(), pairs_);
-    return pairs_;
+    return findAll<false>(positions.size());
 }
 
-const std::vector<NeighbourSearch::Pair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
+const std::vector<NeighbourPair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
                                                                 const std::vector<Vector2>& halfExtents,
                                                                 const std::vector<double>& radii,
                                                                 double margin, const PeriodicCell& cell)
 {
-    pairs_.clear();
-    shifts_.clear();
     grids_.fill({positions, halfExtents, radii, margin}, cell);
-    findAll(foundImages_);
-    order(foundImages_, positions.size(), imagePairs_);
-    for (const ImagePair& pair : imagePairs_)
-    {
-        pairs_.emplace_back(pair.first, pair.second);
-        shifts_.push_back(pair.shift);
-    }
-    return pairs_;
+    return findAll<true>(positions.size());
 }
 
 std::size_t NeighbourSearch::bytes() const
 {
     const auto of = [](const auto& buffer) { return buffer.capacity() * sizeof(buffer[0]); };
-    return grids_.bytes() + of(found_) + of(foundImages_) + of(firstOf_) + of(pairs_) + of(imagePairs_) +
-           of(shifts_);
+    return grids_.bytes() + of(found_) + of(firstOf_) + of(pairs_);
 }
 
-template <class Found>
-void NeighbourSearch::findAll(std::vector<Found>& found)
+template <bool images>
+const std::vector<NeighbourPair>& NeighbourSearch::findAll(std::size_t grains)
 {
     count_ = 0;
     const std::vector<Level>& levels = grids_.levels();
     for (std::size_t finer = 0; finer < levels.size(); ++finer)
     {
-        findWithin(levels[finer], found);
+        findWithin<images>(levels[finer]);
         for (std::size_t coarser = 0; coarser < finer; ++coarser)
         {
-            findAcross(levels[finer], levels[coarser], found);
+            findAcross<images>(levels[finer], levels[coarser]);
         }
     }
+    order(grains);
+    return pairs_;
 }
 
 /// Each bucket with itself, with the next one and with the three of the row ahead: all neighbours once.
-template <class Found>
-void NeighbourSearch::findWithin(const Level& level, std::vector<Found>& found)
+template <bool images>
+void NeighbourSearch::findWithin(const Level& level)
 {
     for (std::uint32_t bucket = 0; bucket < level.grid.size(); ++bucket)
     {
@@ -80,16 +68,16 @@ void NeighbourSearch::findWithin(const Level& level, std::vector<Found>& found)
         for (std::size_t k = grids_.startOf(here); k < end; ++k)
         {
             const Entry& entry = grids_.entries()[k];
-            meet<false>(entry, k + 1, endOfNext, found);
-            meet<false>(entry, grids_.startOf(ahead), grids_.startOf(ahead + 3), found);
+            meet<false, images>(entry, k + 1, endOfNext);
+            meet<false, images>(entry, grids_.startOf(ahead), grids_.startOf(ahead + 3));
         }
     }
 }
 
 /// Boxes of a finer level and a coarser one that overlap have their centres within a coarser cell's width and
 /// height: at most three columns and rows.
-template <class Found>
-void NeighbourSearch::findAcross(const Level& finer, const Level& coarser, std::vector<Found>& found)
+template <bool images>
+void NeighbourSearch::findAcross(const Level& finer, const Level& coarser)
 {
     const std::size_t end = grids_.startOf(finer.firstBucket + finer.grid.size());
     for (std::size_t k = grids_.startOf(finer.firstBucket); k < end; ++k)
@@ -108,21 +96,22 @@ void NeighbourSearch::findAcross(const Level& finer, const Level& coarser, std::
         {
             const std::size_t bucket = coarser.firstBucket + coarser.grid.bucketOf(firstColumn, row);
             const auto columns = static_cast<std::size_t>(lastColumn - firstColumn + 1);
-            meet<true>(entry, grids_.startOf(bucket), grids_.startOf(bucket + columns), found);
+            meet<true, images>(entry, grids_.startOf(bucket), grids_.startOf(bucket + columns));
         }
     }
 }
 
 /// Adds the pairs of an entry with the entries from `begin` to `end`. Every candidate is written down and
 /// overwritten by the next if it was none: cheaper than a branch that is taken every other time.
-template <bool across, class Found>
-void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t end, std::vector<Found>& found)
+template <bool across, bool images>
+void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t end)
 {
-    if (count_ + (end - begin) > found.size())
+    if (const std::size_t most = count_ + (end - begin); most > found_.size())
     {
-        found.resize(2 * (count_ + (end - begin)));
+        found_.reserve(most + most / 4);
+        found_.resize(most + most / 4);
     }
-    Found* next = found.data() + count_;
+    NeighbourPair* next = found_.data() + count_;
     for (const Entry* other = grids_.entries().data() + begin; other != grids_.entries().data() + end;
          ++other)
     {
@@ -134,7 +123,7 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
         const bool ascending = entry.grain < other->grain;
         next->first = ascending ? entry.grain : other->grain;
         next->second = ascending ? other->grain : entry.grain;
-        if constexpr (std::is_same_v<Found, ImagePair>)
+        if constexpr (images)
         {
             const Entry& first = ascending ? entry : *other;
             const Entry& second = ascending ? *other : entry;
@@ -146,32 +135,35 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
         }
         next += near;
     }
-    count_ = static_cast<std::size_t>(next - found.data());
+    count_ = static_cast<std::size_t>(next - found_.data());
 }
 
 /// Counting sort by the first grain, then each grain's few by the second.
-template <class Found>
-void NeighbourSearch::order(const std::vector<Found>& found, std::size_t grains, std::vector<Found>& ordered)
+void NeighbourSearch::order(std::size_t grains)
 {
     firstOf_.assign(grains + 1, 0);
     for (std::size_t k = 0; k < count_; ++k)
     {
-        ++firstOf_[static_cast<std::size_t>(found[k].first) + 1];
+        ++firstOf_[static_cast<std::size_t>(found_[k].first) + 1];
     }
     for (std::size_t i = 1; i <= grains; ++i)
     {
         firstOf_[i] += firstOf_[i - 1];
     }
-    ordered.resize(count_);
+    if (count_ > pairs_.capacity())
+    {
+        pairs_.reserve(count_ + count_ / 8);
+    }
+    pairs_.resize(count_);
     for (std::size_t k = 0; k < count_; ++k)
     {
-        ordered[firstOf_[static_cast<std::size_t>(found[k].first)]++] = found[k];
+        pairs_[firstOf_[static_cast<std::size_t>(found_[k].first)]++] = found_[k];
     }
-    auto begin = ordered.begin();
+    auto begin = pairs_.begin();
     for (std::size_t i = 0; i < grains; ++i)
     {
-        const auto end = ordered.begin() + static_cast<std::ptrdiff_t>(firstOf_[i]);
-        std::sort(begin, end, [](const Found& a, const Found& b) { return a.second < b.second; });
+        const auto end = pairs_.begin() + static_cast<std::ptrdiff_t>(firstOf_[i]);
+        std::sort(begin, end, [](const NeighbourPair& a, const NeighbourPair& b) { return a.second < b.second; });
         begin = end;
     }
 }

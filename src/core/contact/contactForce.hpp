@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/contact/contactState.hpp"
+#include "core/contact/tangentPlane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,10 @@ struct ContactForce
 };
 
 /// `spring` is the elastic tangential displacement of the first body against the second [m], carried from step
-/// to step: it is turned into the new tangent plane, lengthened by this step's slip and cut to what friction
-/// holds. Null without friction. Springs and dashpots never attract; cohesion does. The laws: linearLaw.hpp,
+/// to step: it is lengthened by this step's slip and cut to what friction holds. Null without friction. Springs and dashpots never attract; cohesion does. The laws: linearLaw.hpp,
 /// hertzMindlinLaw.hpp. `loss`, if not null, grows by what dashpots and slip take in this step [J].
 template <class Law, int Dim>
-ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact, double timeStep, Vector<Dim>* spring, double* loss = nullptr)
+[[gnu::always_inline]] inline ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact, double timeStep, Tangential<Dim>* spring, double* loss = nullptr)
 {
     const ContactSprings springs = law.springs(contact);
     const double approach = contact.relativeVelocity.dot(contact.normal);
@@ -43,26 +43,21 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
         return {normalPart, pressing, damping, springs};
     }
 
-    Vector<Dim>& stretch = *spring;
+    using Plane = TangentPlane<Dim>;
+    Tangential<Dim>& stretch = *spring;
     const double scale = std::min(springs.stiffnessRatio, 1.0);
     if (loss)
     {
-        *loss += springs.tangentialStiffness / 2 * (springs.stiffnessRatio - scale * scale) * stretch.squaredNorm();
+        *loss += springs.tangentialStiffness / 2 * (springs.stiffnessRatio - scale * scale) * Plane::dot(stretch, stretch);
     }
-    const double length = stretch.norm() * scale;
-    stretch -= stretch.dot(contact.normal) * contact.normal;
-    const double projected = stretch.norm();
-    if (projected > 0)
-    {
-        stretch *= length / projected;
-    }
-    const Vector<Dim> slip = contact.relativeVelocity - approach * contact.normal;
-    stretch += timeStep * slip;
-    const Vector<Dim> unslipped = stretch;
+    const Tangential<Dim> slip = Plane::of(contact.relativeVelocity, contact.normal);
+    const Tangential<Dim> way = timeStep * slip;
+    const Tangential<Dim> unslipped = scale * stretch + way;
+    stretch = unslipped;
 
     const double tangentialDamping = dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness);
-    Vector<Dim> tangentialForce = -springs.tangentialStiffness * stretch - tangentialDamping * slip;
-    const double size = tangentialForce.norm();
+    Tangential<Dim> tangentialForce = -springs.tangentialStiffness * stretch - tangentialDamping * slip;
+    const double size = Plane::norm(tangentialForce);
     const double most = law.friction * pressing;
     if (size > most)
     {
@@ -72,11 +67,11 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     if (loss)
     {
         // The spring's mean force over the step times the way that it has not followed, and the dashpot.
-        const Vector<Dim> way = timeStep * slip;
-        const Vector<Dim> meanStretch = (unslipped - way + stretch) / 2;
-        *loss += tangentialDamping * slip.dot(way) + springs.tangentialStiffness * meanStretch.dot(unslipped - stretch);
+        const Tangential<Dim> meanStretch = (unslipped - way + stretch) / 2;
+        *loss += tangentialDamping * Plane::dot(slip, way)
+            + springs.tangentialStiffness * Plane::dot(meanStretch, unslipped - stretch);
     }
-    return {normalPart + tangentialForce, pressing, damping, springs};
+    return {normalPart + Plane::inWorld(tangentialForce, contact.normal), pressing, damping, springs};
 }
 
 } // namespace chesil

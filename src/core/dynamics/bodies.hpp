@@ -52,6 +52,19 @@ struct Bodies
     std::vector<double> boundingRadius;
 
     std::size_t size() const { return pose.size(); }
+
+    void reserve(std::size_t bodies)
+    {
+        pose.reserve(bodies);
+        velocity.reserve(bodies);
+        angularVelocity.reserve(bodies);
+        force.reserve(bodies);
+        torque.reserve(bodies);
+        inverseMass.reserve(bodies);
+        inverseInertia.reserve(bodies);
+        shape.reserve(bodies);
+        boundingRadius.reserve(bodies);
+    }
 };
 
 } // namespace chesil

@@ -59,7 +59,7 @@ void addContacts(CheckpointWriter& writer, const std::vector<Contact<2>>& contac
     std::vector<double> numbers;
     for (const Contact<2>& c : contacts)
     {
-        keys.insert(keys.end(), {c.first, c.second, c.place});
+        keys.insert(keys.end(), {c.first, c.second, c.place, c.shift.first, c.shift.second});
         numbers.insert(
             numbers.end(), {c.depth, c.normal.x(), c.normal.y(), c.turn, c.point.x(), c.point.y(), c.force.x(), c.force.y()});
     }
@@ -71,18 +71,20 @@ std::vector<Contact<2>> takeContacts(CheckpointReader& reader)
 {
     const std::vector<std::int32_t> keys = reader.take<std::int32_t>("contactKeys");
     const Rows rows(reader, "contacts", 8);
-    if (keys.size() != 3 * rows.size())
+    if (keys.size() != 5 * rows.size())
     {
         throw SetupError(
-            reader.path(), "contactKeys", std::to_string(keys.size()) + " numbers", std::to_string(3 * rows.size()));
+            reader.path(), "contactKeys", std::to_string(keys.size()) + " numbers", std::to_string(5 * rows.size()));
     }
     std::vector<Contact<2>> contacts;
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
-        Contact<2> contact{keys[3 * i], keys[3 * i + 1], keys[3 * i + 2]};
+        const std::int32_t* key = &keys[5 * i];
+        const auto small = [key](int k) { return static_cast<std::int8_t>(key[k]); };
+        Contact<2> contact{{key[0], key[1], small(2), {small(3), small(4)}}};
         contact.depth = rows(i, 0);
         contact.normal = rows.vector(i, 1);
-        contact.turn = rows(i, 3);
+        contact.turn = static_cast<float>(rows(i, 3));
         contact.point = rows.vector(i, 4);
         contact.force = rows.vector(i, 6);
         contacts.push_back(contact);
@@ -142,6 +144,7 @@ void addState(CheckpointWriter& writer, const WorldState& state)
     writer.add("worldTime", std::vector<double>{state.time});
     writer.add("position", flat(state.position));
     writer.add("angle", state.angle);
+    writer.add("direction", flat(state.direction));
     writer.add("velocity", flat(state.velocity));
     writer.add("angularVelocity", state.angularVelocity);
     writer.add("force", flat(state.force));
@@ -150,9 +153,10 @@ void addState(CheckpointWriter& writer, const WorldState& state)
     writer.add("inverseInertia", state.inverseInertia);
     writer.add("positionsAtSearch", flat(state.positionsAtSearch));
     addContacts(writer, state.contacts);
-    writer.add("springs", flat(state.springs));
+    writer.add("springs", state.springs);
     writer.add("turns", state.turns);
     addWalls(writer, state);
+    writer.add("cell", flat(state.cell));
     addLedger(writer, state.ledger);
 }
 
@@ -163,6 +167,7 @@ WorldState takeState(CheckpointReader& reader)
     state.time = time.size() > 0 ? time(0, 0) : 0;
     state.position = takeVectors(reader, "position");
     state.angle = reader.take<double>("angle");
+    state.direction = takeVectors(reader, "direction");
     state.velocity = takeVectors(reader, "velocity");
     state.angularVelocity = reader.take<double>("angularVelocity");
     state.force = takeVectors(reader, "force");
@@ -171,11 +176,12 @@ WorldState takeState(CheckpointReader& reader)
     state.inverseInertia = reader.take<double>("inverseInertia");
     state.positionsAtSearch = takeVectors(reader, "positionsAtSearch");
     state.contacts = takeContacts(reader);
-    state.springs = takeVectors(reader, "springs");
+    state.springs = reader.take<double>("springs");
     state.turns = reader.take<double>("turns");
     state.wallPoints = takeVectors(reader, "wallPoints");
     state.wallPointsAtSearch = takeVectors(reader, "wallPointsAtSearch");
     state.wallStates = takeWallStates(reader);
+    state.cell = takeVectors(reader, "cell");
     state.ledger = takeLedger(reader);
     return state;
 }

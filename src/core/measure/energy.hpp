@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/contact/contactState.hpp"
+#include "core/contact/tangentPlane.hpp"
 #include "core/dynamics/bodies.hpp"
 
 namespace chesil
@@ -39,11 +40,11 @@ inline double powerOfForces(const Bodies<2>& bodies)
 /// Energy stored in a contact's normal and tangential spring, and by its cohesion (negative) [J]; `stretch` is the
 /// tangential one's [m].
 template <class Law, int Dim>
-double elasticEnergy(const Law& law, const ContactState<Dim>& contact, const Vector<Dim>& stretch)
+double elasticEnergy(const Law& law, const ContactState<Dim>& contact, const Tangential<Dim>& stretch)
 {
     const ContactSprings springs = law.springs(contact);
     return Law::energyShare * springs.normalForce * contact.depth
-        + 0.5 * springs.tangentialStiffness * stretch.squaredNorm() - law.cohesion * contact.depth;
+        + 0.5 * springs.tangentialStiffness * TangentPlane<Dim>::dot(stretch, stretch) - law.cohesion * contact.depth;
 }
 
 } // namespace chesil

@@ -11,7 +11,7 @@ struct EnergyLedger
 {
     /// Kinetic energy and that of contacts when the ledger began.
     double start = 0;
-    /// Works on the grains.
+    /// Works on the grains; that of walls is also that of a strained cell's images.
     double gravity = 0;
     double walls = 0;
     double external = 0;

@@ -1,22 +1,12 @@
 #pragma once
 
+#include "core/base/smallTurn.hpp"
 #include "core/base/vector.hpp"
 
 #include <cmath>
 
 namespace chesil
 {
-
-/// A unit vector turned counter-clockwise by an angle of at most smallTurn [rad], to rounding: by the series of cosine
-/// and sine.
-constexpr double smallTurn = 1e-2;
-
-inline Vector2 turnedBy(double angle, const Vector2& normal)
-{
-    const double square = angle * angle;
-    const double versine = square / 2 * (1 - square / 12 * (1 - square / 30));
-    return normal - versine * normal + angle * (1 - square / 6 * (1 - square / 20)) * perpendicular(normal);
-}
 
 /// What a pair hands from one query to the next.
 struct SearchStart

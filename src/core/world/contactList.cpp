@@ -1,9 +1,22 @@
 #include "core/world/contactList.hpp"
 
-#include <algorithm>
-
 namespace chesil
 {
+
+namespace
+{
+
+/// With a little room for growth: doubling would show in the memory of big scenes.
+template <class Array>
+void fit(Array& array, std::size_t entries)
+{
+    if (entries > array.capacity())
+    {
+        array.reserve(entries + entries / 16);
+    }
+}
+
+} // namespace
 
 void ContactList::release(std::size_t entry)
 {
@@ -12,7 +25,7 @@ void ContactList::release(std::size_t entry)
     contact.force = Vector2::Zero();
     if (withSprings_)
     {
-        springs_[entry] = Vector2::Zero();
+        springs_[entry] = 0;
     }
     if (withTurns_)
     {
@@ -20,77 +33,97 @@ void ContactList::release(std::size_t entry)
     }
 }
 
-void ContactList::restart()
+void ContactList::restart(std::size_t expected)
 {
-    std::swap(contacts_, oldContacts_);
-    std::swap(springs_, oldSprings_);
-    std::swap(turns_, oldTurns_);
-    contacts_.clear();
+    coming_.clear();
+    fit(coming_, expected);
 }
 
-void ContactList::add(std::int32_t first, std::int32_t second, bool flat)
+void ContactList::add(std::int32_t first, std::int32_t second, bool flat, NearShift shift)
 {
-    contacts_.push_back({first, second});
+    coming_.push_back({first, second, 0, shift});
     if (flat)
     {
-        contacts_.push_back({first, second, 1});
+        coming_.push_back({first, second, 1, shift});
     }
 }
 
-void ContactList::resume(std::vector<Contact<2>> contacts, std::vector<Vector2> springs, std::vector<double> turns)
+void ContactList::resume(std::vector<Contact<2>> contacts, std::vector<double> springs, std::vector<double> turns)
 {
     contacts_ = std::move(contacts);
     springs_ = std::move(springs);
     turns_ = std::move(turns);
-    springs_.resize(withSprings_ ? contacts_.size() : 0, Vector2::Zero());
-    turns_.resize(withTurns_ ? contacts_.size() : 0, 0.0);
+    resize(contacts_.size());
 }
 
+/// Entries that go on move to the front, then, from the last one on, to their new places: never before one that has
+/// still to be moved, since both lists are sorted by key.
 void ContactList::carryOver()
 {
-    springs_.assign(withSprings_ ? contacts_.size() : 0, Vector2::Zero());
-    turns_.assign(withTurns_ ? contacts_.size() : 0, 0.0);
-    const auto carry = [this](std::size_t entry, std::size_t end, std::size_t old, std::size_t oldEnd)
+    std::size_t kept = keepWhatComes();
+    resize(coming_.size());
+    for (std::size_t entry = coming_.size(); entry-- > 0;)
     {
-        while (entry != end && old != oldEnd)
+        if (kept > 0 && contacts_[kept - 1].key() == coming_[entry])
         {
-            const auto key = contacts_[entry].key();
-            const auto oldKey = oldContacts_[old].key();
-            if (key == oldKey)
-            {
-                take(entry++, old++);
-            }
-            else
-            {
-                ++(key < oldKey ? entry : old);
-            }
+            move(--kept, entry);
         }
-    };
-    // Both lists are sorted by key within grains and within walls.
-    const std::size_t wall = firstWithWall(contacts_);
-    const std::size_t oldWall = firstWithWall(oldContacts_);
-    carry(0, wall, 0, oldWall);
-    carry(wall, contacts_.size(), oldWall, oldContacts_.size());
+        else
+        {
+            contacts_[entry] = {};
+            release(entry);
+        }
+        static_cast<ContactKey&>(contacts_[entry]) = coming_[entry];
+    }
 }
 
-void ContactList::take(std::size_t entry, std::size_t old)
+std::size_t ContactList::keepWhatComes()
 {
-    contacts_[entry] = oldContacts_[old];
+    std::size_t kept = 0;
+    auto next = coming_.begin();
+    for (std::size_t old = 0; old < contacts_.size(); ++old)
+    {
+        while (next != coming_.end() && *next < contacts_[old].key())
+        {
+            ++next;
+        }
+        if (next != coming_.end() && *next == contacts_[old].key())
+        {
+            move(old, kept++);
+        }
+    }
+    return kept;
+}
+
+void ContactList::move(std::size_t from, std::size_t to)
+{
+    contacts_[to] = contacts_[from];
     if (withSprings_)
     {
-        springs_[entry] = oldSprings_[old];
+        springs_[to] = springs_[from];
     }
     if (withTurns_)
     {
-        turns_[entry] = oldTurns_[old];
+        turns_[to] = turns_[from];
     }
 }
 
-std::size_t ContactList::firstWithWall(const std::vector<Contact<2>>& contacts) const
+void ContactList::resize(std::size_t size)
 {
-    const auto isWall = [](const Contact<2>& contact) { return contact.withWall(); };
-    return static_cast<std::size_t>(std::partition_point(contacts.begin(), contacts.end(), [&](const auto& c) { return !isWall(c); })
-                                    - contacts.begin());
+    const auto resized = [](auto& array, std::size_t entries)
+    {
+        fit(array, entries);
+        array.resize(entries);
+    };
+    resized(contacts_, size);
+    resized(springs_, withSprings_ ? size : 0);
+    resized(turns_, withTurns_ ? size : 0);
+}
+
+std::size_t ContactList::bytes() const
+{
+    const auto of = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
+    return of(contacts_) + of(springs_) + of(turns_) + of(coming_);
 }
 
 } // namespace chesil

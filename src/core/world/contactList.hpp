@@ -19,14 +19,15 @@ public:
     std::vector<Contact<2>>& contacts() { return contacts_; }
     const std::vector<Contact<2>>& contacts() const { return contacts_; }
 
-    /// Entry i's elastic tangential displacement of the first body against the second [m]; empty without friction.
-    const std::vector<Vector2>& springs() const { return springs_; }
+    /// Entry i's elastic tangential displacement of the first body against the second [m], along the normal turned by
+    /// +90 degrees; empty without friction.
+    const std::vector<double>& springs() const { return springs_; }
 
     /// Entry i's elastic relative rotation [rad]; empty without rolling resistance.
     const std::vector<double>& turns() const { return turns_; }
 
     /// Null without friction.
-    Vector2* springOf(std::size_t entry) { return withSprings_ ? &springs_[entry] : nullptr; }
+    double* springOf(std::size_t entry) { return withSprings_ ? &springs_[entry] : nullptr; }
 
     double* turnOf(std::size_t entry) { return withTurns_ ? &turns_[entry] : nullptr; }
 
@@ -39,28 +40,30 @@ public:
     /// No contact: nothing is carried but where to look next.
     void release(std::size_t entry);
 
-    /// Begins a new list; `add` in the order above, then `carryOver`.
-    void restart();
-    void add(std::int32_t first, std::int32_t second, bool flat);
+    /// Begins a new list; `add` in the order above, then `carryOver`. The old list stands until then.
+    void restart(std::size_t expected);
+    void add(std::int32_t first, std::int32_t second, bool flat, NearShift shift = {});
 
-    /// Goes on from entries written earlier; springs that they lack are at rest.
-    void resume(std::vector<Contact<2>> contacts, std::vector<Vector2> springs, std::vector<double> turns);
-
-    /// Pairs that were in the old list keep what they carry.
+    /// Pairs that were in the old list keep what they carry. Done in place.
     void carryOver();
 
+    /// Goes on from entries written earlier; springs that they lack are at rest.
+    void resume(std::vector<Contact<2>> contacts, std::vector<double> springs, std::vector<double> turns);
+
+    /// Memory held [bytes].
+    std::size_t bytes() const;
+
 private:
-    void take(std::size_t entry, std::size_t old);
-    std::size_t firstWithWall(const std::vector<Contact<2>>& contacts) const;
+    std::size_t keepWhatComes();
+    void move(std::size_t from, std::size_t to);
+    void resize(std::size_t size);
 
     bool withSprings_;
     bool withTurns_;
     std::vector<Contact<2>> contacts_;
-    std::vector<Vector2> springs_;
+    std::vector<double> springs_;
     std::vector<double> turns_;
-    std::vector<Contact<2>> oldContacts_;
-    std::vector<Vector2> oldSprings_;
-    std::vector<double> oldTurns_;
+    std::vector<ContactKey> coming_;
 };
 
 } // namespace chesil

@@ -1,5 +1,6 @@
 #include "core/world/pairContact.hpp"
 
+#include "core/world/diskContact.hpp"
 #include "core/narrowphase/firstNormal.hpp"
 #include "core/narrowphase/separatingAxes.hpp"
 
@@ -99,21 +100,12 @@ template <class Cost>
 PairStatus contactOf(
     const Circle& a, const Pose<2>& poseA, const Circle& b, const Pose<2>& poseB, SearchStart&, ContactGeometry<2>& contact, Cost)
 {
-    const Vector2 offset = poseB.position - poseA.position;
-    const double distance = offset.norm();
-    if (!std::isfinite(distance))
+    const Vector2 between = poseB.position - poseA.position;
+    if (!between.allFinite())
     {
         return PairStatus::notFinite;
     }
-    const double depth = a.radius() + b.radius() - distance;
-    if (!(depth > 0))
-    {
-        return PairStatus::separated;
-    }
-    contact.depth = depth;
-    contact.normal = distance > 0 ? Vector2(offset / distance) : Vector2(Vector2::UnitX());
-    contact.point = poseA.position + (a.radius() - depth / 2) * contact.normal;
-    return PairStatus::overlapping;
+    return diskContact(poseA.position, between, a.radius(), b.radius(), contact) ? PairStatus::overlapping : PairStatus::separated;
 }
 
 /// Not inlined, so that what it puts on the stack costs pairs of disks nothing.

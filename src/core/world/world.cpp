@@ -4,6 +4,7 @@
 #include "core/dynamics/stableTimeStep.hpp"
 #include "core/dynamics/velocityVerlet.hpp"
 #include "core/measure/energy.hpp"
+#include "core/measure/stress.hpp"
 #include "core/world/flatContact.hpp"
 
 #include <algorithm>
@@ -54,7 +55,10 @@ std::string describe(StepStatus status, std::size_t brokenGrain)
 }
 
 World::World(WorldSettings settings)
-: settings_(std::move(settings)), list_(isFrictional(settings_.contact), resistsRolling(settings_.contact)), walls_(settings_.walls)
+: settings_(std::move(settings)),
+  cell_(settings_.cell),
+  list_(isFrictional(settings_.contact), resistsRolling(settings_.contact)),
+  walls_(settings_.walls)
 {
     for (const NamedShape& named : settings_.shapes)
     {
@@ -62,28 +66,39 @@ World::World(WorldSettings settings)
         straightSided_.push_back(hasStraightSides(named.shape));
         stiffness_.push_back(largestStiffness(boundingRadius(named.shape)));
     }
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const GrainState& grain : settings_.grains)
+    const std::vector<GrainState> grains = std::move(settings_.grains);
+    settings_.grains = {};
+    bodies_.reserve(grains.size());
+    for (const GrainState& grain : grains)
     {
-        const auto shape = static_cast<std::size_t>(grain.shape);
-        const double radius = boundingRadius(settings_.shapes[shape].shape);
-        const double density = settings_.materials[static_cast<std::size_t>(grain.material)].density;
-        const double mass = density * masses_[shape].area;
-        const double inertia = density * masses_[shape].polarMoment;
-        bodies_.pose.push_back({grain.position, Rotation<2>(grain.angle)});
-        bodies_.velocity.push_back(grain.velocity);
-        bodies_.angularVelocity.push_back(grain.angularVelocity);
-        bodies_.inverseMass.push_back(grain.driven ? 0 : 1 / mass);
-        bodies_.inverseInertia.push_back(grain.driven ? 0 : 1 / inertia);
-        bodies_.shape.push_back(grain.shape);
-        bodies_.boundingRadius.push_back(radius);
-        halfExtents_.emplace_back(radius, radius);
-        weights_.push_back(mass * settings_.gravity);
-        smallest = std::min(smallest, radius);
+        addBody(grain);
     }
-    bodies_.force.assign(bodies_.size(), Vector2::Zero());
-    bodies_.torque.assign(bodies_.size(), 0.0);
-    skin_ = bodies_.size() > 0 ? skinShare * smallest : 0;
+    const std::vector<double>& radii = bodies_.boundingRadius;
+    if (!radii.empty())
+    {
+        const auto [least, most] = std::minmax_element(radii.begin(), radii.end());
+        skin_ = skinShare * *least;
+        largestReach_ = 2 * *most + skin_;
+    }
+}
+
+void World::addBody(const GrainState& grain)
+{
+    const auto shape = static_cast<std::size_t>(grain.shape);
+    const double density = settings_.materials[static_cast<std::size_t>(grain.material)].density;
+    bodies_.pose.push_back({grain.position, Rotation<2>(grain.angle)});
+    bodies_.velocity.push_back(cell_ ? Vector2(grain.velocity + cell_->flow(grain.position)) : grain.velocity);
+    bodies_.angularVelocity.push_back(grain.angularVelocity);
+    bodies_.force.emplace_back(Vector2::Zero());
+    bodies_.torque.push_back(0);
+    bodies_.inverseMass.push_back(grain.driven ? 0 : 1 / (density * masses_[shape].area));
+    bodies_.inverseInertia.push_back(grain.driven ? 0 : 1 / (density * masses_[shape].polarMoment));
+    bodies_.shape.push_back(grain.shape);
+    bodies_.boundingRadius.push_back(boundingRadius(settings_.shapes[shape].shape));
+    if (settings_.materials.size() > 1)
+    {
+        materialOf_.push_back(grain.material);
+    }
 }
 
 double World::largestStiffness(double radius) const
@@ -103,13 +118,12 @@ double World::largestStiffness(double radius) const
 
 void World::immerse(double fluidDensity, double virtualMass)
 {
+    fluidDensity_ = fluidDensity;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
-        const double ownDensity = settings_.materials[materialOf(i)].density;
-        weights_[i] = (ownDensity - fluidDensity) * areaOf(i) * settings_.gravity;
         if (bodies_.inverseMass[i] > 0)
         {
-            const double density = ownDensity + virtualMass * fluidDensity;
+            const double density = densityOf(i) + virtualMass * fluidDensity;
             bodies_.inverseMass[i] = 1 / (density * areaOf(i));
             bodies_.inverseInertia[i] = 1 / (density * polarMomentOf(i));
         }
@@ -163,20 +177,24 @@ StepStatus World::step(double timeStep)
         ledger_.emplace();
         ledger_->start = kineticEnergy(bodies_) + contactEnergy();
     }
-    kick(bodies_, timeStep / 2);
-    drift(bodies_, timeStep);
+    if (cell_ && cell_->isStrained())
+    {
+        cell_->strain(timeStep);
+        noteStrain();
+    }
     if (walls_.anyMoves())
     {
         walls_.setVelocities(time_, timeStep);
         walls_.addWork(timeStep / 2);
         walls_.drift(timeStep);
     }
+    const bool stale = cell_ ? moveGrains<true>(timeStep) : moveGrains<false>(timeStep);
     if (ledger_)
     {
         addWorks(timeStep);
     }
-    updateForces(timeStep);
-    kick(bodies_, timeStep / 2);
+    updateForces(timeStep, stale);
+    const StepStatus status = finishMoves(timeStep);
     if (walls_.anyMoves())
     {
         walls_.addWork(timeStep / 2);
@@ -186,7 +204,59 @@ StepStatus World::step(double timeStep)
         }
     }
     time_ += timeStep;
-    return tooDeep_ ? StepStatus::tooDeep : checkFinite();
+    return status;
+}
+
+void World::noteStrain()
+{
+    strainSinceSearch_ = cell_->deformationFrom(firstAtSearch_, secondAtSearch_) - Eigen::Matrix2d::Identity();
+}
+
+/// Half a kick, then the drift; true if a grain has moved too far for its neighbours to be still all that are near.
+template <bool periodic>
+bool World::moveGrains(double timeStep)
+{
+    const double most = mostMovement();
+    bool stale = positionsAtSearch_.size() != bodies_.size() || !(most > 0);
+    const std::size_t known = stale ? 0 : bodies_.size();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        kick(bodies_, i, timeStep / 2);
+        drift(bodies_, i, timeStep);
+        stale |= i < known && hasLeft<periodic>(i, most);
+    }
+    return stale;
+}
+
+/// The other half of the kick, and whether all went well.
+StepStatus World::finishMoves(double timeStep)
+{
+    // Stays zero if all numbers are finite.
+    double sum = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        kick(bodies_, i, timeStep / 2);
+        sum += 0 * bodies_.velocity[i].x() + 0 * bodies_.velocity[i].y() + 0 * bodies_.angularVelocity[i];
+    }
+    if (tooDeep_)
+    {
+        return StepStatus::tooDeep;
+    }
+    return sum == 0 && !lost_ ? StepStatus::done : brokenState();
+}
+
+StepStatus World::brokenState()
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        if (!bodies_.velocity[i].allFinite() || !std::isfinite(bodies_.angularVelocity[i])
+            || !bodies_.pose[i].position.allFinite())
+        {
+            brokenGrain_ = i;
+            return StepStatus::notFinite;
+        }
+    }
+    return StepStatus::done;
 }
 
 void World::addWorks(double timeStep)
@@ -195,7 +265,7 @@ void World::addWorks(double timeStep)
     {
         if (bodies_.inverseMass[i] > 0)
         {
-            ledger_->gravity += timeStep * weights_[i].dot(bodies_.velocity[i]);
+            ledger_->gravity += timeStep * weightOf(i).dot(bodies_.velocity[i]);
             if (!externalForces_.empty())
             {
                 ledger_->external +=
@@ -205,21 +275,60 @@ void World::addWorks(double timeStep)
     }
 }
 
+void World::setVelocityGradient(const Eigen::Matrix2d& gradient)
+{
+    const Eigen::Matrix2d change = gradient - cell_->velocityGradient;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        bodies_.velocity[i] += change * (bodies_.pose[i].position - cell_->cell.lower());
+    }
+    cell_->velocityGradient = gradient;
+}
+
+Vector2 World::branchOf(const Contact<2>& contact) const
+{
+    return cell_ ? Vector2(branchVector(contact, bodies_) + offsetOf(contact)) : branchVector(contact, bodies_);
+}
+
+/// Of a grain since the last search, on top of the cell's strain, so that no pair that was farther apart than the skin
+/// can touch [m]. Images at the reach of the widest pair come nearer by the strain itself.
+double World::mostMovement() const
+{
+    double most = skin_ / 2;
+    if (walls_.anyMoves() && !(walls_.movedSinceSearch() <= most))
+    {
+        return 0;
+    }
+    if (cell_)
+    {
+        most -= strainSinceSearch_.norm() * largestReach_ / 2;
+    }
+    return most;
+}
+
+/// Written so that a position that is not a number asks for a search, too.
+template <bool periodic>
+bool World::hasLeft(std::size_t grain, double most) const
+{
+    const Vector2& old = positionsAtSearch_[grain];
+    Vector2 moved = bodies_.pose[grain].position - old;
+    if constexpr (periodic)
+    {
+        moved -= strainSinceSearch_ * (old - cell_->cell.lower());
+    }
+    return !(moved.squaredNorm() <= most * most);
+}
+
 bool World::neighboursAreStale() const
 {
-    if (positionsAtSearch_.size() != bodies_.size())
-    {
-        return true;
-    }
-    const double most = skin_ / 2;
-    if (walls_.anyMoves() && !(walls_.movedSinceSearch() <= most))
+    const double most = mostMovement();
+    if (positionsAtSearch_.size() != bodies_.size() || !(most > 0))
     {
         return true;
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
-        // Written so that a position that is not a number asks for a search, too.
-        if (!((bodies_.pose[i].position - positionsAtSearch_[i]).squaredNorm() <= most * most))
+        if (cell_ ? hasLeft<true>(i, most) : hasLeft<false>(i, most))
         {
             return true;
         }
@@ -227,25 +336,55 @@ bool World::neighboursAreStale() const
     return false;
 }
 
-void World::updateNeighbours()
+void World::findNeighbours()
 {
-    if (bodies_.size() > 0 && neighboursAreStale())
+    if (cell_)
     {
-        positionsAtSearch_.resize(bodies_.size());
-        std::transform(
-            bodies_.pose.begin(), bodies_.pose.end(), positionsAtSearch_.begin(), [](const Pose<2>& p) { return p.position; });
-        walls_.noteSearch();
-        findContacts();
+        wrapGrains();
+        firstAtSearch_ = cell_->cell.first();
+        secondAtSearch_ = cell_->cell.second();
+        strainSinceSearch_.setZero();
+    }
+    positionsAtSearch_.resize(bodies_.size());
+    std::transform(
+        bodies_.pose.begin(), bodies_.pose.end(), positionsAtSearch_.begin(), [](const Pose<2>& p) { return p.position; });
+    walls_.noteSearch();
+    findContacts();
+    lost_ = brokenState() != StepStatus::done;
+}
+
+/// Grains that have left the cell come in from the other side, with the flow's velocity there; the ledger counts the
+/// difference as work of the boundary.
+void World::wrapGrains()
+{
+    cell_->straighten();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        const Shift shift = cell_->cell.wrap(bodies_.pose[i].position);
+        if (shift == Shift{})
+        {
+            continue;
+        }
+        const Vector2 jump = cell_->velocityGradient * cell_->cell.offset(shift);
+        if (ledger_ && bodies_.inverseMass[i] > 0)
+        {
+            ledger_->walls += jump.dot(bodies_.velocity[i] + jump / 2) / bodies_.inverseMass[i];
+        }
+        bodies_.velocity[i] += jump;
     }
 }
 
 void World::findContacts()
 {
-    list_.restart();
-    for (const auto& [first, second] : search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_))
+    const std::vector<Vector2> noBoxes;
+    const std::vector<NeighbourPair>& pairs = cell_
+        ? search_.find(positionsAtSearch_, noBoxes, bodies_.boundingRadius, skin_, cell_->cell)
+        : search_.find(positionsAtSearch_, noBoxes, bodies_.boundingRadius, skin_);
+    list_.restart(pairs.size());
+    for (const auto& [first, second, shift] : pairs)
     {
         const bool flat = isStraightSided(static_cast<std::size_t>(first)) && isStraightSided(static_cast<std::size_t>(second));
-        list_.add(first, second, flat);
+        list_.add(first, second, flat, shift);
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
@@ -258,20 +397,6 @@ void World::findContacts()
         }
     }
     list_.carryOver();
-}
-
-StepStatus World::checkFinite()
-{
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        if (!bodies_.velocity[i].allFinite() || !std::isfinite(bodies_.angularVelocity[i])
-            || !bodies_.pose[i].position.allFinite())
-        {
-            brokenGrain_ = i;
-            return StepStatus::notFinite;
-        }
-    }
-    return StepStatus::done;
 }
 
 double World::largestRelativeOverlap() const

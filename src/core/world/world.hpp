@@ -11,6 +11,7 @@
 #include "core/world/worldState.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,7 +58,7 @@ public:
 
     /// Contacts and forces of the state as it is, without moving anything or stretching friction's springs. Wanted once
     /// before the first step, and again whenever loads from outside have changed.
-    void updateForces() { updateForces(0); }
+    void updateForces();
 
     /// Forces [N] and torques [N m] from outside (a fluid, say), held until set again; entry i for grain i.
     void setExternalLoads(const std::vector<Vector2>& forces, const std::vector<double>& torques);
@@ -77,9 +78,19 @@ public:
     /// Begun with the first step; null unless the settings ask for it.
     const EnergyLedger* energyLedger() const { return ledger_ ? &*ledger_ : nullptr; }
 
+    /// As it is now; null without.
+    const StrainedCell* cell() const { return cell_ ? &*cell_ : nullptr; }
+
+    /// From now on, with a periodic cell [1/s]; all grains take on the new flow.
+    void setVelocityGradient(const Eigen::Matrix2d& gradient);
+
+    /// From the first body's centroid to that of the second one's image, to the contact point if that is a wall [m].
+    Vector2 branchOf(const Contact<2>& contact) const;
+
     /// Since the start [s].
     double time() const { return time_; }
 
+    /// Without the grains: they are bodies now.
     const WorldSettings& settings() const { return settings_; }
     const Bodies<2>& bodies() const { return bodies_; }
 
@@ -87,8 +98,9 @@ public:
     /// with straight sides has two entries, for both ends of a flat contact.
     const std::vector<Contact<2>>& contacts() const { return list_.contacts(); }
 
-    /// Entry i's elastic tangential displacement of the first body against the second [m]; empty without friction.
-    const std::vector<Vector2>& springs() const { return list_.springs(); }
+    /// Entry i's elastic tangential displacement of the first body against the second [m], along the normal turned by
+    /// +90 degrees; empty without friction.
+    const std::vector<double>& springs() const { return list_.springs(); }
 
     /// Stored in all contacts [J].
     double contactEnergy() const;
@@ -120,27 +132,43 @@ public:
     const ContactStatistics& contactStatistics() const { return contactStatistics_; }
 
 private:
-    void updateForces(double timeStep);
-    void updateNeighbours();
+    template <bool periodic>
+    bool moveGrains(double timeStep);
+    void noteStrain();
+    void updateForces(double timeStep, bool stale);
+    void findNeighbours();
     void findContacts();
+    double mostMovement() const;
     bool neighboursAreStale() const;
+    template <bool periodic>
+    bool hasLeft(std::size_t grain, double most) const;
+    void wrapGrains();
     void applyWeights();
+    void addBody(const GrainState& grain);
+    Vector2 weightOf(std::size_t grain) const;
+    StepStatus finishMoves(double timeStep);
     bool isStraightSided(std::size_t grain) const { return straightSided_[static_cast<std::size_t>(bodies_.shape[grain])]; }
-    std::size_t materialOf(std::size_t grain) const { return static_cast<std::size_t>(settings_.grains[grain].material); }
+    std::size_t materialOf(std::size_t grain) const { return materialOf_.empty() ? 0 : static_cast<std::size_t>(materialOf_[grain]); }
+    double densityOf(std::size_t grain) const { return settings_.materials[materialOf(grain)].density; }
     double largestStiffness(double radius) const;
-    template <class Law>
+    template <bool periodic, class Law>
     void resolveAll(const LawTable<Law>& laws, double timeStep);
     template <class Law>
     const Law& lawOf(const LawTable<Law>& laws, const Contact<2>& contact) const;
-    template <class Law>
+    template <bool periodic, class Law>
     void resolve(const LawTable<Law>& laws, std::size_t index, double timeStep);
+    template <bool periodic>
+    Pose<2> imageOfSecond(const Contact<2>& contact) const;
+    Vector2 offsetOf(const Contact<2>& contact) const { return cell_->cell.offset(contact.shift); }
+    template <bool periodic>
     bool touchesGrain(Contact<2>& contact, ContactGeometry<2>& found);
-    PairStatus queryGrains(Contact<2>& contact, ContactGeometry<2>& found);
+    PairStatus queryGrains(Contact<2>& contact, const Pose<2>& poseJ, ContactGeometry<2>& found);
     bool touchesWall(const Contact<2>& contact, ContactGeometry<2>& found) const;
+    template <bool periodic>
     bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
-    template <class Law>
+    template <bool periodic, class Law>
     void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep);
-    template <class Law>
+    template <bool periodic, class Law>
     void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep);
     double effectiveRadius(const Contact<2>& contact) const;
     double rollingRadius(const Contact<2>& contact) const;
@@ -157,7 +185,7 @@ private:
     template <class Damping>
     void withLoss(double EnergyLedger::*loss, double timeStep, const Damping& damp);
     void addWorks(double timeStep);
-    StepStatus checkFinite();
+    StepStatus brokenState();
 
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
@@ -165,20 +193,29 @@ private:
     /// Of each shape: largest stiffness of its contacts that the stable step allows for [N/m].
     std::vector<double> stiffness_;
     Bodies<2> bodies_;
-    std::vector<Vector2> weights_;
+    /// Of each grain; empty if there is but one.
+    std::vector<std::int32_t> materialOf_;
+    double fluidDensity_ = 0;
     std::vector<Vector2> externalForces_;
     std::vector<double> externalTorques_;
 
     NeighbourSearch search_;
     double skin_ = 0;
+    /// Between the centroids of two near grains [m], at most.
+    double largestReach_ = 0;
     std::vector<Vector2> positionsAtSearch_;
-    /// Of each grain's upright box about its centroid [m].
-    std::vector<Vector2> halfExtents_;
+    std::optional<StrainedCell> cell_;
+    Vector2 firstAtSearch_ = Vector2::Zero();
+    Vector2 secondAtSearch_ = Vector2::Zero();
+    /// What is added to a position at the last search when the cell is strained.
+    Eigen::Matrix2d strainSinceSearch_ = Eigen::Matrix2d::Zero();
     ContactList list_;
     WallStates walls_;
     double time_ = 0;
     std::optional<EnergyLedger> ledger_;
     bool tooDeep_ = false;
+    /// A position was no finite number at the last search.
+    bool lost_ = false;
     std::size_t brokenGrain_ = 0;
     std::size_t doubtfulQueries_ = 0;
     ContactStatistics contactStatistics_;

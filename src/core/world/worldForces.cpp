@@ -5,6 +5,7 @@
 #include "core/dynamics/localDamping.hpp"
 #include "core/dynamics/viscousDamping.hpp"
 #include "core/measure/energy.hpp"
+#include "core/world/diskContact.hpp"
 #include "core/world/flatContact.hpp"
 #include "core/world/pairContact.hpp"
 #include "core/world/wallContact.hpp"
@@ -15,19 +16,30 @@
 namespace chesil
 {
 
-void World::updateForces(double timeStep)
+void World::updateForces()
 {
-    updateNeighbours();
+    updateForces(0, neighboursAreStale());
+}
+
+void World::updateForces(double timeStep, bool stale)
+{
+    if (stale && bodies_.size() > 0)
+    {
+        findNeighbours();
+    }
     applyWeights();
     walls_.clearForces();
-    std::visit([&](const auto& laws) { resolveAll(laws, timeStep); }, settings_.contact);
+    const auto resolveWith = [&](const auto& laws)
+    { cell_ ? resolveAll<true>(laws, timeStep) : resolveAll<false>(laws, timeStep); };
+    std::visit(resolveWith, settings_.contact);
+    const auto flow = [this](std::size_t i) { return cell_ ? cell_->flow(bodies_.pose[i].position) : Vector2(Vector2::Zero()); };
     if (settings_.viscousDamping > 0)
     {
-        withLoss(&EnergyLedger::viscousDamping, timeStep, [this] { dampViscously(bodies_, settings_.viscousDamping); });
+        withLoss(&EnergyLedger::viscousDamping, timeStep, [&] { dampViscously(bodies_, settings_.viscousDamping, flow); });
     }
     if (settings_.localDamping > 0)
     {
-        withLoss(&EnergyLedger::localDamping, timeStep, [this] { dampLocally(bodies_, settings_.localDamping); });
+        withLoss(&EnergyLedger::localDamping, timeStep, [&] { dampLocally(bodies_, settings_.localDamping, flow); });
     }
 }
 
@@ -44,23 +56,34 @@ void World::withLoss(double EnergyLedger::*loss, double timeStep, const Damping&
     (*ledger_).*loss += timeStep * (before - powerOfForces(bodies_));
 }
 
+Vector2 World::weightOf(std::size_t grain) const
+{
+    return (densityOf(grain) - fluidDensity_) * areaOf(grain) * settings_.gravity;
+}
+
 void World::applyWeights()
 {
+    const bool weightless = settings_.gravity == Vector2::Zero();
     const bool loaded = !externalForces_.empty();
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
-        bodies_.force[i] = loaded ? Vector2(weights_[i] + externalForces_[i]) : weights_[i];
-        bodies_.torque[i] = loaded ? externalTorques_[i] : 0;
+        bodies_.force[i] = weightless ? Vector2(Vector2::Zero()) : weightOf(i);
+        bodies_.torque[i] = 0;
+        if (loaded)
+        {
+            bodies_.force[i] += externalForces_[i];
+            bodies_.torque[i] = externalTorques_[i];
+        }
     }
 }
 
-template <class Law>
+template <bool periodic, class Law>
 void World::resolveAll(const LawTable<Law>& laws, double timeStep)
 {
     const std::size_t entries = list_.contacts().size();
     for (std::size_t i = 0; i < entries; i += list_.placesOf(i))
     {
-        resolve(laws, i, timeStep);
+        resolve<periodic>(laws, i, timeStep);
     }
 }
 
@@ -76,14 +99,14 @@ const Law& World::lawOf(const LawTable<Law>& laws, const Contact<2>& contact) co
     return laws.of(materialOf(static_cast<std::size_t>(contact.first)), other);
 }
 
-template <class Law>
+template <bool periodic, class Law>
 void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeStep)
 {
     Contact<2>& contact = list_.contacts()[index];
     Contact<2>* second = list_.placesOf(index) == 2 ? &contact + 1 : nullptr;
     const Law& law = lawOf(laws, contact);
     ContactGeometry<2> found;
-    if (!(contact.withWall() ? touchesWall(contact, found) : touchesGrain(contact, found)))
+    if (!(contact.withWall() ? touchesWall(contact, found) : touchesGrain<periodic>(contact, found)))
     {
         release(law, index);
         if (second)
@@ -94,20 +117,20 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
     }
     contact.normal = found.normal;
     std::array<ContactGeometry<2>, 2> places;
-    if (second && areFlat(contact, found, places))
+    if (second && areFlat<periodic>(contact, found, places))
     {
         // The one corner of a tilted side is the same contact, whichever end of the other shape it is.
         const bool first = contact.depth > 0;
-        Vector2* spring = list_.springOf(index);
+        double* spring = list_.springOf(index);
         if (spring && first != (second->depth > 0) && !(places[first ? 0 : 1].depth > 0))
         {
             std::swap(*spring, *list_.springOf(index + 1));
         }
-        load(law, index, places[0], timeStep);
-        load(law, index + 1, places[1], timeStep);
+        load<periodic>(law, index, places[0], timeStep);
+        load<periodic>(law, index + 1, places[1], timeStep);
         return;
     }
-    load(law, index, found, timeStep);
+    load<periodic>(law, index, found, timeStep);
     if (second)
     {
         release(law, index + 1);
@@ -117,14 +140,18 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
 template <class Law>
 void World::release(const Law& law, std::size_t index)
 {
-    if (ledger_ && contacts()[index].depth > 0)
+    if (!(contacts()[index].depth > 0))
+    {
+        return;
+    }
+    if (ledger_)
     {
         ledger_->contacts += springEnergyOf(law, index);
     }
     list_.release(index);
 }
 
-template <class Law>
+template <bool periodic, class Law>
 void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep)
 {
     if (!(geometry.depth > 0))
@@ -137,9 +164,10 @@ void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& ge
     contact.depth = geometry.depth;
     contact.normal = geometry.normal;
     contact.point = geometry.point;
-    loadBodies(law, index, previousDepth, timeStep);
+    loadBodies<periodic>(law, index, previousDepth, timeStep);
 }
 
+template <bool periodic>
 bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const
 {
     const auto i = static_cast<std::size_t>(contact.first);
@@ -148,12 +176,55 @@ bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, 
         return flatContact(shapeOf(i), bodies_.pose[i], walls()[contact.wall()], found, places);
     }
     const auto j = static_cast<std::size_t>(contact.second);
-    return flatContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], found, places);
+    return flatContact(shapeOf(i), bodies_.pose[i], shapeOf(j), imageOfSecond<periodic>(contact), found, places);
 }
 
+template <bool periodic>
+Pose<2> World::imageOfSecond(const Contact<2>& contact) const
+{
+    Pose<2> image = bodies_.pose[static_cast<std::size_t>(contact.second)];
+    if constexpr (periodic)
+    {
+        image.position += offsetOf(contact);
+    }
+    return image;
+}
+
+template <bool periodic>
 bool World::touchesGrain(Contact<2>& contact, ContactGeometry<2>& found)
 {
-    const PairStatus status = queryGrains(contact, found);
+    const auto i = static_cast<std::size_t>(contact.first);
+    const auto j = static_cast<std::size_t>(contact.second);
+    contactStatistics_.queries += settings_.contactStatistics;
+    const Vector2& position = bodies_.pose[i].position;
+    Vector2 between = bodies_.pose[j].position - position;
+    if constexpr (periodic)
+    {
+        between += offsetOf(contact);
+    }
+    const double reach = bodies_.boundingRadius[i] + bodies_.boundingRadius[j];
+    if (!(between.squaredNorm() <= reach * reach))
+    {
+        return false;
+    }
+    // Disks are so cheap that the way to the query of any two shapes would show.
+    const Circle* diskI = std::get_if<Circle>(&shapeOf(i));
+    const Circle* diskJ = std::get_if<Circle>(&shapeOf(j));
+    if (diskI && diskJ)
+    {
+        const bool touches = diskContact(position, between, diskI->radius(), diskJ->radius(), found);
+        contactStatistics_.contacts += settings_.contactStatistics && touches;
+        return touches;
+    }
+    PairStatus status;
+    if constexpr (periodic)
+    {
+        status = queryGrains(contact, imageOfSecond<true>(contact), found);
+    }
+    else
+    {
+        status = queryGrains(contact, bodies_.pose[j], found);
+    }
     if (status == PairStatus::undecided || status == PairStatus::coarse)
     {
         ++doubtfulQueries_;
@@ -161,25 +232,26 @@ bool World::touchesGrain(Contact<2>& contact, ContactGeometry<2>& found)
     return status == PairStatus::overlapping || status == PairStatus::coarse;
 }
 
-PairStatus World::queryGrains(Contact<2>& contact, ContactGeometry<2>& found)
+PairStatus World::queryGrains(Contact<2>& contact, const Pose<2>& poseJ, ContactGeometry<2>& found)
 {
     const auto i = static_cast<std::size_t>(contact.first);
     const auto j = static_cast<std::size_t>(contact.second);
     SearchStart start{contact.normal, contact.turn};
-    QueryCost cost;
-    const PairStatus status = settings_.contactStatistics
-        ? pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], start, found, cost)
-        : pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), bodies_.pose[j], start, found);
-    contact.normal = start.direction;
-    contact.turn = start.turn;
-    if (!settings_.contactStatistics)
+    PairStatus status;
+    if (settings_.contactStatistics)
     {
-        return status;
+        QueryCost cost;
+        status = pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), poseJ, start, found, cost);
+        contactStatistics_.contacts += status == PairStatus::overlapping || status == PairStatus::coarse;
+        contactStatistics_.supportCalls += static_cast<std::size_t>(cost.supportCalls);
+        contactStatistics_.sweeps += cost.swept;
     }
-    ++contactStatistics_.queries;
-    contactStatistics_.contacts += status == PairStatus::overlapping || status == PairStatus::coarse;
-    contactStatistics_.supportCalls += static_cast<std::size_t>(cost.supportCalls);
-    contactStatistics_.sweeps += cost.swept;
+    else
+    {
+        status = pairContact(shapeOf(i), bodies_.pose[i], shapeOf(j), poseJ, start, found);
+    }
+    contact.normal = start.direction;
+    contact.turn = static_cast<float>(start.turn);
     return status;
 }
 
@@ -215,7 +287,7 @@ double World::rollingRadius(const Contact<2>& contact) const
     return radius * other / (radius + other);
 }
 
-template <class Law>
+template <bool periodic, class Law>
 void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep)
 {
     Contact<2>& contact = list_.contacts()[index];
@@ -226,6 +298,7 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     double relativeSpin = bodies_.angularVelocity[i];
     Vector2 relative = velocityI;
     Vector2 armJ = Vector2::Zero();
+    Vector2 imageVelocity = Vector2::Zero();
     const bool withWall = contact.withWall();
     const std::size_t j = withWall ? i : static_cast<std::size_t>(contact.second);
     if (withWall)
@@ -235,7 +308,12 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     else
     {
         armJ = contact.point - bodies_.pose[j].position;
-        relative -= bodies_.velocity[j] + velocityAt(bodies_.angularVelocity[j], armJ);
+        if constexpr (periodic)
+        {
+            armJ -= offsetOf(contact);
+            imageVelocity = cell_->velocityGradient * offsetOf(contact);
+        }
+        relative -= bodies_.velocity[j] + velocityAt(bodies_.angularVelocity[j], armJ) + imageVelocity;
         relativeSpin -= bodies_.angularVelocity[j];
         inverseMass += bodies_.inverseMass[j];
     }
@@ -254,6 +332,13 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
         noteStiffness(i, j, result.springs);
     }
     contact.force = result.force;
+    if constexpr (periodic)
+    {
+        if (ledger_)
+        {
+            ledger_->walls += timeStep * contact.force.dot(imageVelocity);
+        }
+    }
 
     bodies_.force[i] += contact.force;
     bodies_.torque[i] += torqueOf(armI, contact.force);
@@ -318,14 +403,14 @@ template <class Law>
 double World::energyOf(const Law& law, std::size_t index) const
 {
     const ContactState<2> state = stateAtRest<Law>(contacts()[index]);
-    return elasticEnergy(law, state, Vector2(Vector2::Zero())) + springEnergyOf(law, index);
+    return elasticEnergy(law, state, 0.0) + springEnergyOf(law, index);
 }
 
 template <class Law>
 double World::springEnergyOf(const Law& law, std::size_t index) const
 {
     const ContactSprings stiffness = law.springs(stateAtRest<Law>(contacts()[index]));
-    double energy = springs().empty() ? 0 : 0.5 * stiffness.tangentialStiffness * springs()[index].squaredNorm();
+    double energy = springs().empty() ? 0 : 0.5 * stiffness.tangentialStiffness * springs()[index] * springs()[index];
     if (const std::vector<double>& turns = list_.turns(); !turns.empty())
     {
         const double arm = law.rollingFriction * rollingRadius(contacts()[index]);

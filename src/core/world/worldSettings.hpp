@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/boundary/planeWall.hpp"
+#include "core/boundary/strainedCell.hpp"
 #include "core/contact/contactLaws.hpp"
 #include "core/shapes/shape.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,8 @@ struct WorldSettings
     std::vector<NamedShape> shapes;
     std::vector<GrainState> grains;
     std::vector<PlaneWall<2>> walls;
+    /// The grains' velocities are on top of its flow then. Wider than two of the biggest grains, NeighbourSearch::find.
+    std::optional<StrainedCell> cell;
     /// At least one; the contact law's tables have as many.
     std::vector<Material> materials = std::vector<Material>(1);
     Vector2 gravity = Vector2::Zero();

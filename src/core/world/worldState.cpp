@@ -40,6 +40,7 @@ WorldState World::state() const
     {
         state.position.push_back(pose.position);
         state.angle.push_back(pose.rotation.angle());
+        state.direction.push_back(pose.rotation.direction());
     }
     state.velocity = bodies_.velocity;
     state.angularVelocity = bodies_.angularVelocity;
@@ -57,6 +58,11 @@ WorldState World::state() const
     }
     state.wallPointsAtSearch = walls_.pointsAtSearch();
     state.wallStates = walls_.states();
+    if (cell_)
+    {
+        const Eigen::Matrix2d& gradient = cell_->velocityGradient;
+        state.cell = {cell_->cell.first(), cell_->cell.second(), firstAtSearch_, secondAtSearch_, gradient.row(0), gradient.row(1)};
+    }
     state.ledger = ledger_;
     return state;
 }
@@ -64,7 +70,7 @@ WorldState World::state() const
 void World::resume(WorldState state)
 {
     requireSame("grains", state.position.size(), bodies_.size());
-    for (const std::size_t found : {state.angle.size(), state.velocity.size(), state.angularVelocity.size(), state.force.size(), state.torque.size()})
+    for (const std::size_t found : {state.angle.size(), state.direction.size(), state.velocity.size(), state.angularVelocity.size(), state.force.size(), state.torque.size()})
     {
         requireSame("entries of a grain's quantity", found, bodies_.size());
     }
@@ -72,12 +78,13 @@ void World::resume(WorldState state)
     {
         requireSame("walls", found, walls().size());
     }
+    requireSame("vectors of a periodic cell", state.cell.size(), cell_ ? 6 : 0);
     requireSameGrains(state.inverseMass, bodies_.inverseMass);
     requireSameGrains(state.inverseInertia, bodies_.inverseInertia);
     time_ = state.time;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
-        bodies_.pose[i] = {state.position[i], Rotation<2>(state.angle[i])};
+        bodies_.pose[i] = {state.position[i], Rotation<2>(state.angle[i], state.direction[i])};
     }
     bodies_.velocity = std::move(state.velocity);
     bodies_.angularVelocity = std::move(state.angularVelocity);
@@ -86,6 +93,18 @@ void World::resume(WorldState state)
     positionsAtSearch_ = std::move(state.positionsAtSearch);
     list_.resume(std::move(state.contacts), std::move(state.springs), std::move(state.turns));
     walls_.resume(state.wallPoints, state.wallPointsAtSearch, std::move(state.wallStates));
+    if (cell_)
+    {
+        Eigen::Matrix2d gradient;
+        gradient << state.cell[4].transpose(), state.cell[5].transpose();
+        cell_.emplace(PeriodicCell(cell_->cell.lower(), state.cell[0], state.cell[1]), gradient);
+        firstAtSearch_ = state.cell[2];
+        secondAtSearch_ = state.cell[3];
+        if (cell_->isStrained())
+        {
+            noteStrain();
+        }
+    }
     ledger_ = settings_.energyLedger ? state.ledger : std::nullopt;
 }
 

@@ -17,6 +17,8 @@ struct WorldState
     double time = 0;
     std::vector<Vector2> position;
     std::vector<double> angle;
+    /// Rotation::direction.
+    std::vector<Vector2> direction;
     std::vector<Vector2> velocity;
     std::vector<double> angularVelocity;
     std::vector<Vector2> force;
@@ -27,11 +29,13 @@ struct WorldState
     std::vector<Vector2> positionsAtSearch;
     std::vector<Contact<2>> contacts;
     /// Empty without friction; without rolling resistance.
-    std::vector<Vector2> springs;
+    std::vector<double> springs;
     std::vector<double> turns;
     std::vector<Vector2> wallPoints;
     std::vector<Vector2> wallPointsAtSearch;
     std::vector<WallState> wallStates;
+    /// With a periodic cell: its lattice vectors now and at the last search [m], and its velocity gradient by rows.
+    std::vector<Vector2> cell;
     std::optional<EnergyLedger> ledger;
 };
 

@@ -34,7 +34,7 @@ template <class Law>
 Impact impactOf(const Law& law, const Sphere& sphere, double effectiveRadius, double effectiveMass, double normal, double tangential, double timeStep)
 {
     const Vector2 down(0, -1);
-    Vector2 spring = Vector2::Zero();
+    double spring = 0;
     Vector2 velocity(tangential, -normal);
     Vector2 force = Vector2::Zero();
     double spin = 0;

@@ -118,7 +118,7 @@ TEST(HertzMindlinLaw, noEnergyIsMadeByLoadingUnderShear)
     const Vector2 normal(0, 1);
     for (const double shear : {1e-6, 1e-5, -1e-5})
     {
-        Vector2 spring = Vector2::Zero();
+        double spring = 0;
         double work = 0;
         double depth = 1e-5;
         double before = depth;

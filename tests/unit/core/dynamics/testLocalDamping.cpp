@@ -27,7 +27,7 @@ TEST(LocalDamping, worksOnEachComponentAndTheTorque)
     bodies.angularVelocity = {2};
     bodies.force = {Vector2(4, 4)};
     bodies.torque = {-8};
-    dampLocally(bodies, 0.5);
+    dampLocally(bodies, 0.5, [](std::size_t) { return Vector2(0, 0); });
     EXPECT_EQ(bodies.force[0], Vector2(2, 6));
     EXPECT_EQ(bodies.torque[0], -12);
 }

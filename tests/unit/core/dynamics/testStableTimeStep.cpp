@@ -251,7 +251,7 @@ TEST(StableTimeStep, localDampingMakesBrakingForcesStiffer)
             kick(bodies, timeStep / 2);
             drift(bodies, timeStep);
             bodies.force[0] = -bodies.pose[0].position;
-            dampLocally(bodies, share);
+            dampLocally(bodies, share, [](std::size_t) { return Vector2(0, 0); });
             kick(bodies, timeStep / 2);
         }
         return bodies.pose[0].position.norm();

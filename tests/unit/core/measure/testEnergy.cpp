@@ -24,7 +24,7 @@ TEST(Energy, springsStoreWhatPushesThemIn)
     linear.normalStiffness = 1e6;
     linear.tangentialStiffness = 1e5;
     ContactState<2> contact{1e-3, Vector2::UnitX(), Vector2::Zero(), 1};
-    EXPECT_DOUBLE_EQ(elasticEnergy(linear, contact, Vector2(3e-4, -4e-4)), 0.5 + 0.5 * 1e5 * 25e-8);
+    EXPECT_DOUBLE_EQ(elasticEnergy(linear, contact, -5e-4), 0.5 + 0.5 * 1e5 * 25e-8);
 
     HertzMindlinLaw hertz;
     hertz.effectiveModulus = 1e9;
@@ -38,5 +38,5 @@ TEST(Energy, springsStoreWhatPushesThemIn)
         part.depth = contact.depth * (k + 0.5) / parts;
         work += hertz.springs(part).normalForce * contact.depth / parts;
     }
-    EXPECT_NEAR(elasticEnergy(hertz, contact, Vector2(Vector2::Zero())) / work, 1, 1e-7);
+    EXPECT_NEAR(elasticEnergy(hertz, contact, 0.0) / work, 1, 1e-7);
 }

@@ -99,7 +99,7 @@ void expectApartAndInside(const Packing& packing, double gap)
         halfExtents.emplace_back(radius, radius);
     }
     NeighbourSearch search;
-    for (const auto& [i, j] : search.find(positions, halfExtents, radii, gap))
+    for (const auto& [i, j, shift] : search.find(positions, halfExtents, radii, gap))
     {
         const GrainState& a = packing.grains[static_cast<std::size_t>(i)];
         const GrainState& b = packing.grains[static_cast<std::size_t>(j)];

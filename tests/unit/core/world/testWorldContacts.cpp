@@ -168,6 +168,6 @@ TEST(WorldContacts, frictionHistoryOutlivesANewNeighbourList)
     // The friction is the spring's, and holds: a forgotten spring would let it creep.
     ASSERT_FALSE(world.contacts().empty());
     EXPECT_NEAR(world.contacts()[0].force.x() / weight, -0.1, 1e-6);
-    EXPECT_NEAR(world.springs()[0].x() * 1e6 / weight, 0.1, 1e-6);
+    EXPECT_NEAR(world.springs()[0] * 1e6 / weight, 0.1, 1e-6);
     EXPECT_LT(world.bodies().velocity[0].norm(), 1e-9);
 }
