@@ -20,7 +20,7 @@ namespace
 constexpr int cellGrains = 2000;
 constexpr std::array<std::array<int, 2>, 3> repeats = {{{1, 1}, {5, 2}, {10, 10}}};
 /// Of walls around a packing cut out of a cell [m].
-constexpr double wallMargin = 0.1;
+constexpr double wallMargin = 0;
 
 void packDisks(const std::string& folder)
 {

@@ -52,26 +52,22 @@ inline double contactsAGrain(const DumpedPolygons& polygons)
     const PeriodicCell cell(Vector2::Zero(), polygons.first, polygons.second);
     std::vector<Shape> shapes;
     std::vector<Vector2> centres;
-    std::vector<Vector2> halfExtents;
     std::vector<double> radii;
     for (const std::vector<Vector2>& core : polygons.cores)
     {
         const ConvexPolygon polygon(core);
-        const double radius = polygon.boundingRadius();
         shapes.emplace_back(polygon);
         centres.push_back(polygon.givenCentroid());
         cell.wrap(centres.back());
-        radii.push_back(radius);
-        halfExtents.emplace_back(radius, radius);
+        radii.push_back(polygon.boundingRadius());
     }
     NeighbourSearch search;
     double ends = 0;
-    const auto& pairs = search.find(centres, halfExtents, radii, 2 * lammpsRounding, cell);
-    for (std::size_t k = 0; k < pairs.size(); ++k)
+    for (const NeighbourPair& pair : search.find(centres, {}, radii, 2 * lammpsRounding, cell))
     {
-        const auto i = static_cast<std::size_t>(pairs[k].first);
-        const auto j = static_cast<std::size_t>(pairs[k].second);
-        const Pose<2> image{centres[j] + cell.offset(search.shifts()[k]), Rotation<2>(0)};
+        const auto i = static_cast<std::size_t>(pair.first);
+        const auto j = static_cast<std::size_t>(pair.second);
+        const Pose<2> image{centres[j] + cell.offset(pair.shift), Rotation<2>(0)};
         const double distance = pairDistance(shapes[i], {centres[i], Rotation<2>(0)}, shapes[j], image).distance;
         ends += distance < 2 * lammpsRounding ? 2 : 0;
     }
