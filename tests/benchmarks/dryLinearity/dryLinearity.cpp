@@ -1,4 +1,5 @@
-/// Cost of a step of our engine over the number of grains: the scenes of dryThroughput from 10^3 to 10^6 grains.
+/// Cost of a step of our engine over the number of grains: the scenes of dryThroughput from 10^3 to 10^6
+/// grains.
 
 #include "benchmarks/dryThroughput/packing.hpp"
 #include "unit/record.hpp"
@@ -28,9 +29,10 @@ struct Method
     Numbering numbering;
 };
 
-constexpr std::array<Method, 3> methods = {{{"disks", Grains::disks, diskFraction, Numbering::random},
-                                            {"disks, numbered by place", Grains::disks, diskFraction, Numbering::byPlace},
-                                            {"polybeziers", Grains::polyBeziers, polyBezierFraction, Numbering::random}}};
+constexpr std::array<Method, 3> methods = {
+    {{"disks", Grains::disks, diskFraction, Numbering::random},
+     {"disks, numbered by place", Grains::disks, diskFraction, Numbering::byPlace},
+     {"polybeziers", Grains::polyBeziers, polyBezierFraction, Numbering::random}}};
 
 /// Steps all numbers of grains in turn.
 void measureMethod(const Method& method, Results& results, std::map<std::string, double>& slopes)
@@ -55,8 +57,8 @@ void measureMethod(const Method& method, Results& results, std::map<std::string,
         numbers.push_back(static_cast<double>(worlds[i]->bodies().size()));
         const double nanoseconds = 1e9 * seconds[i] / grainSteps;
         results.measurements.push_back({method.name, text("%.0f", numbers[i]), numbers[i], nanoseconds});
-        std::printf("    %-26s %8.0f  %7.1f ns, %.2f contacts a grain\n", method.name, numbers[i], nanoseconds,
-                    contactsAGrain(*worlds[i]));
+        std::printf("    %-26s %8.0f  %7.1f ns, %.2f contacts a grain\n", method.name, numbers[i],
+                    nanoseconds, contactsAGrain(*worlds[i]));
     }
     const double slope = 1 + logarithmicSlope(numbers, seconds);
     slopes[method.name] = slope;
@@ -85,7 +87,4 @@ Results measure()
 
 } // namespace
 
-int main(int argumentCount, char** arguments)
-{
-    return run(argumentCount, arguments, measure);
-}
+int main(int argumentCount, char** arguments) { return run(argumentCount, arguments, measure); }

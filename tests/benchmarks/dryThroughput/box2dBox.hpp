@@ -50,9 +50,15 @@ public:
     }
 
 private:
-    static b2Vec2 inBox2d(const Vector2& v) { return b2Vec2(static_cast<float>(v.x()), static_cast<float>(v.y())); }
+    static b2Vec2 inBox2d(const Vector2& v)
+    {
+        return b2Vec2(static_cast<float>(v.x()), static_cast<float>(v.y()));
+    }
 
-    static int isGrain(const b2Fixture* fixture) { return fixture->GetBody()->GetType() == b2_dynamicBody ? 1 : 0; }
+    static int isGrain(const b2Fixture* fixture)
+    {
+        return fixture->GetBody()->GetType() == b2_dynamicBody ? 1 : 0;
+    }
 
     void addTo(b2Body& body, const b2PolygonShape& shape)
     {
@@ -72,7 +78,8 @@ private:
         definition.position = inBox2d(centre);
         definition.linearVelocity = inBox2d(velocity);
         b2PolygonShape block;
-        block.SetAsBox(static_cast<float>(size.x() / 2) - b2_polygonRadius, static_cast<float>(size.y() / 2) - b2_polygonRadius);
+        block.SetAsBox(static_cast<float>(size.x() / 2) - b2_polygonRadius,
+                       static_cast<float>(size.y() / 2) - b2_polygonRadius);
         addTo(*world_.CreateBody(&definition), block);
     }
 
@@ -82,7 +89,8 @@ private:
         for (const NamedShape& named : templatesOf(scene.kind))
         {
             std::vector<b2Vec2> vertices;
-            for (const Vector2& vertex : roundedPolygonOf(static_cast<int>(polygons.size()), named.shape, b2_polygonRadius).core)
+            for (const Vector2& vertex :
+                 roundedPolygonOf(static_cast<int>(polygons.size()), named.shape, b2_polygonRadius).core)
             {
                 vertices.push_back(inBox2d(vertex));
             }

@@ -1,6 +1,7 @@
 /// What the throughput of dry flows is measured with, for `race` (see Allrun):
 ///     -pack <folder>           writes all scenes for all codes
-///     -serve <code> <scene>    runs as many steps of the scene as each line of the standard input says and answers
+///     -serve <code> <scene>    runs as many steps of the scene as each line of the standard input says and
+///     answers
 ///                              "done"; at its end says the contacts a grain. Codes: chesil, box2d
 ///     -contacts <dump>         says the contacts a grain of polygons that LAMMPS has dumped
 
@@ -20,7 +21,7 @@ namespace
 constexpr int cellGrains = 2000;
 constexpr std::array<std::array<int, 2>, 3> repeats = {{{1, 1}, {5, 2}, {10, 10}}};
 /// Of walls around a packing cut out of a cell [m].
-constexpr double wallMargin = 0;
+constexpr double wallMargin = 0.05;
 
 void packDisks(const std::string& folder)
 {

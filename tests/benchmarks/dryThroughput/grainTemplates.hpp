@@ -11,7 +11,8 @@ namespace chesil::benchmark
 {
 
 constexpr std::uint64_t templateSeed = 20240715;
-/// Diameters, or those of disks of the same area, are spread evenly from 0.8 to 1.2 [m]; all grains share these templates.
+/// Diameters, or those of disks of the same area, are spread evenly from 0.8 to 1.2 [m]; all grains share
+/// these templates.
 constexpr int templates = 41;
 constexpr double smallestDiameter = 0.8;
 constexpr double largestDiameter = 1.2;
@@ -21,7 +22,10 @@ inline double templateDiameter(int number)
     return smallestDiameter + (largestDiameter - smallestDiameter) * number / (templates - 1);
 }
 
-inline double templateArea(int number) { return M_PI / 4 * templateDiameter(number) * templateDiameter(number); }
+inline double templateArea(int number)
+{
+    return M_PI / 4 * templateDiameter(number) * templateDiameter(number);
+}
 
 inline std::vector<NamedShape> diskTemplates()
 {
@@ -41,7 +45,8 @@ inline std::vector<NamedShape> polyBezierTemplates()
     for (int i = 0; i < templates; ++i)
     {
         const Shape shape = test::randomPolyBezier(test::RandomGrainOptions(), random);
-        shapes.push_back({text("grain%d", i), scaled(shape, std::sqrt(templateArea(i) / massProperties(shape).area))});
+        shapes.push_back(
+            {text("grain%d", i), scaled(shape, std::sqrt(templateArea(i) / massProperties(shape).area))});
     }
     return shapes;
 }
@@ -53,8 +58,8 @@ struct RoundedPolygon
     double radius = 0;
 };
 
-/// Through 6, 7 or 8 support points of the polybezier, and of its area with the rounding: that of the core grows as the
-/// square of its scale, that of the rim with its perimeter.
+/// Through 6, 7 or 8 support points of the polybezier, and of its area with the rounding: that of the core
+/// grows as the square of its scale, that of the rim with its perimeter.
 inline RoundedPolygon roundedPolygonOf(int number, const Shape& grain, double radius)
 {
     const int sides = 6 + number % 3;
@@ -103,15 +108,16 @@ inline ConvexPolygon mitred(const RoundedPolygon& polygon)
     return ConvexPolygon(vertices);
 }
 
-/// LAMMPS's polygons with sharp corners: packed like this by our engine, LAMMPS begins without overlaps, at which its
-/// arrays of contacts would overflow.
+/// LAMMPS's polygons with sharp corners: packed like this by our engine, LAMMPS begins without overlaps, at
+/// which its arrays of contacts would overflow.
 inline std::vector<NamedShape> polygonTemplates()
 {
     std::vector<NamedShape> shapes;
     for (const NamedShape& grain : polyBezierTemplates())
     {
         const int number = static_cast<int>(shapes.size());
-        shapes.push_back({text("polygon%d", number), mitred(roundedPolygonOf(number, grain.shape, lammpsRounding))});
+        shapes.push_back(
+            {text("polygon%d", number), mitred(roundedPolygonOf(number, grain.shape, lammpsRounding))});
     }
     return shapes;
 }

@@ -68,7 +68,8 @@ inline double contactsAGrain(const DumpedPolygons& polygons)
         const auto i = static_cast<std::size_t>(pair.first);
         const auto j = static_cast<std::size_t>(pair.second);
         const Pose<2> image{centres[j] + cell.offset(pair.shift), Rotation<2>(0)};
-        const double distance = pairDistance(shapes[i], {centres[i], Rotation<2>(0)}, shapes[j], image).distance;
+        const double distance =
+            pairDistance(shapes[i], {centres[i], Rotation<2>(0)}, shapes[j], image).distance;
         ends += distance < 2 * lammpsRounding ? 2 : 0;
     }
     return ends / static_cast<double>(shapes.size());

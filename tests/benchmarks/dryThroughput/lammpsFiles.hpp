@@ -14,8 +14,7 @@ inline std::ofstream lammpsFile(const Scene& scene, const std::string& path)
     }
     std::ofstream file(path);
     file.precision(17);
-    file << "a scene of dryThroughput\n\n"
-         << scene.grains.size() << " atoms\n1 atom types\n";
+    file << "a scene of dryThroughput\n\n" << scene.grains.size() << " atoms\n1 atom types\n";
     if (scene.kind == Grains::polygons)
     {
         file << scene.grains.size() << " bodies\n";
@@ -44,7 +43,8 @@ inline void writeLammpsDisks(const Scene& scene, const std::string& path)
     for (std::size_t i = 0; i < scene.grains.size(); ++i)
     {
         const GrainState& grain = scene.grains[i];
-        file << i + 1 << " 1 " << templateDiameter(grain.shape) << " 1 " << grain.position.transpose() << " 0\n";
+        file << i + 1 << " 1 " << templateDiameter(grain.shape) << " 1 " << grain.position.transpose()
+             << " 0\n";
     }
     writeVelocities(scene, std::vector<double>(templates, 1), file);
     if (!file.flush())
@@ -70,7 +70,8 @@ inline void writeLammpsPolygons(const Scene& scene, const std::string& path)
     for (std::size_t i = 0; i < scene.grains.size(); ++i)
     {
         const GrainState& grain = scene.grains[i];
-        file << i + 1 << " 1 1 " << sceneDensity * templateArea(grain.shape) << ' ' << grain.position.transpose() << " 0\n";
+        file << i + 1 << " 1 1 " << sceneDensity * templateArea(grain.shape) << ' '
+             << grain.position.transpose() << " 0\n";
     }
     writeVelocities(scene, inertia, file);
     file << "\nBodies\n\n";

@@ -86,7 +86,8 @@ inline void shear(Scene& scene, double strain)
                 scene.grains.size(), contactsAGrain(world), world.largestRelativeOverlap());
 }
 
-/// Grains near the places of a square lattice, all templates as often, in a square cell of this solid fraction.
+/// Grains near the places of a square lattice, all templates as often, in a square cell of this solid
+/// fraction.
 inline Scene scattered(Grains kind, int number, double solidFraction)
 {
     RandomEngine engine(templateSeed);
@@ -100,7 +101,8 @@ inline Scene scattered(Grains kind, int number, double solidFraction)
         GrainState grain;
         grain.shape = i % templates;
         grain.angle = 2 * M_PI * uniform(engine);
-        grain.position = Vector2((i % columns + uniform(engine)) / columns, (i / columns + uniform(engine)) / rows);
+        grain.position =
+            Vector2((i % columns + uniform(engine)) / columns, (i / columns + uniform(engine)) / rows);
         scene.grains.push_back(grain);
         area += templateArea(grain.shape);
     }

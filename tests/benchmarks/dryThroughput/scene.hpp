@@ -48,14 +48,16 @@ inline std::vector<NamedShape> templatesOf(Grains grains)
     return {};
 }
 
-/// What holds the grains: a periodic cell in simple shear, or four walls that follow the pure shear of that rate.
+/// What holds the grains: a periodic cell in simple shear, or four walls that follow the pure shear of that
+/// rate.
 enum class Bounds
 {
     cell,
     walls,
 };
 
-/// Lattice vectors, or the box's sides along x and y, from the origin [m]; velocities of the grains are the full ones.
+/// Lattice vectors, or the box's sides along x and y, from the origin [m]; velocities of the grains are the
+/// full ones.
 struct Scene
 {
     Grains kind = Grains::disks;
@@ -104,7 +106,8 @@ inline WorldSettings settingsOf(const Scene& scene)
                           {"right", scene.first, -Vector2::UnitX(), 0, DrivenWall{scene.sideVelocity()}}};
         return settings;
     }
-    settings.cell.emplace(PeriodicCell(Vector2::Zero(), scene.first, scene.second), Scene::velocityGradient());
+    settings.cell.emplace(PeriodicCell(Vector2::Zero(), scene.first, scene.second),
+                          Scene::velocityGradient());
     for (GrainState& grain : settings.grains)
     {
         grain.velocity -= settings.cell->flow(grain.position);
@@ -136,7 +139,8 @@ enum class Numbering
 };
 
 /// The cell repeated along its vectors.
-inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond, Numbering numbering = Numbering::random)
+inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond,
+                   Numbering numbering = Numbering::random)
 {
     Scene result = scene;
     result.first *= alongFirst;
@@ -210,14 +214,15 @@ inline Scene readScene(const std::string& path)
     int kind = 0;
     int bounds = 0;
     std::size_t number = 0;
-    file >> kind >> bounds >> scene.first.x() >> scene.first.y() >> scene.second.x() >> scene.second.y() >> number;
+    file >> kind >> bounds >> scene.first.x() >> scene.first.y() >> scene.second.x() >> scene.second.y() >>
+        number;
     scene.kind = static_cast<Grains>(kind);
     scene.bounds = static_cast<Bounds>(bounds);
     scene.grains.resize(number);
     for (GrainState& grain : scene.grains)
     {
-        file >> grain.shape >> grain.position.x() >> grain.position.y() >> grain.angle >> grain.velocity.x() >>
-            grain.velocity.y() >> grain.angularVelocity;
+        file >> grain.shape >> grain.position.x() >> grain.position.y() >> grain.angle >>
+            grain.velocity.x() >> grain.velocity.y() >> grain.angularVelocity;
     }
     if (!file)
     {
