@@ -28,7 +28,7 @@ void packDisks(const std::string& folder)
     const Scene cell = flowingCell(Grains::disks, cellGrains, diskFraction);
     for (const auto& [along, up] : repeats)
     {
-        const Scene scene = tiled(cell, along, up);
+        const Scene scene = tiled(cell, along, up, Numbering::byPlace);
         const std::string path = text("%s/disks%zu", folder.c_str(), scene.grains.size());
         writeScene(scene, path + ".scene");
         writeLammpsDisks(scene, path + ".data");
@@ -40,7 +40,7 @@ void packPolyBeziers(const std::string& folder)
     const Scene cell = flowingCell(Grains::polyBeziers, cellGrains, polyBezierFraction);
     for (const auto& [along, up] : {repeats[0], repeats[1]})
     {
-        const Scene scene = tiled(cell, along, up);
+        const Scene scene = tiled(cell, along, up, Numbering::byPlace);
         const std::string path = text("%s/polyBeziers%zu", folder.c_str(), scene.grains.size());
         writeScene(scene, path + ".scene");
         writeScene(boxed(scene, wallMargin), path + "Box.scene");
@@ -52,7 +52,7 @@ void packPolygons(const std::string& folder)
     const Scene cell = flowingCell(Grains::polygons, cellGrains, polygonFraction);
     for (const auto& [along, up] : {repeats[0], repeats[1]})
     {
-        const Scene scene = tiled(cell, along, up);
+        const Scene scene = tiled(cell, along, up, Numbering::byPlace);
         const std::string path = text("%s/polygons%zu", folder.c_str(), scene.grains.size());
         writeScene(scene, path + ".scene");
         writeLammpsPolygons(scene, path + ".data");
