@@ -139,8 +139,7 @@ enum class Numbering
 };
 
 /// The cell repeated along its vectors.
-inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond,
-                   Numbering numbering = Numbering::random)
+inline Scene tiled(const Scene& scene, int alongFirst, int alongSecond, Numbering numbering)
 {
     Scene result = scene;
     result.first *= alongFirst;
