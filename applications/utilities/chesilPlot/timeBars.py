@@ -16,7 +16,8 @@ def draw(comments, methods):
         for place, (time, _, knob) in enumerate(points):
             y = row + (place - (len(points) - 1) / 2) * height
             axes.barh(y, time, height, color=style.SERIES_COLOURS[knobs.index(knob)])
-            axes.annotate(f"{time:.3g}", (time, y), xytext=(3, 0), textcoords="offset points", va="center", fontsize=7.5)
+            shown = f"{time:.3g}" if time < 100 else f"{time:.0f}"
+            axes.annotate(shown, (time, y), xytext=(3, 0), textcoords="offset points", va="center", fontsize=7.5)
     axes.set_yticks(range(len(methods)), list(methods))
     axes.invert_yaxis()
     axes.margins(x=0.1)
@@ -25,5 +26,5 @@ def draw(comments, methods):
     axes.set_xlabel(comments.get("time", "time"))
     axes.set_title(comments.get("title", ""))
     samples = [plt.Rectangle((0, 0), 1, 1, color=style.SERIES_COLOURS[i]) for i in range(len(knobs))]
-    axes.legend(samples, knobs, title=comments.get("knob"), loc="lower right")
+    axes.legend(samples, knobs, title=comments.get("knob"), loc="upper left", bbox_to_anchor=(1, 1))
     return figure
