@@ -1,10 +1,12 @@
 #include "core/world/world.hpp"
 
 #include "core/contact/rollingResistance.hpp"
+#include "core/dynamics/mostTravel.hpp"
 #include "core/dynamics/stableTimeStep.hpp"
 #include "core/dynamics/velocityVerlet.hpp"
 #include "core/measure/energy.hpp"
 #include "core/world/flatContact.hpp"
+#include "core/world/inscribedRadius.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +51,8 @@ std::string describe(StepStatus status, std::size_t brokenGrain)
         return "the state of " + grain + " is no finite number";
     case StepStatus::tooDeep:
         return "a contact of " + grain + " is deeper than its law and the time step hold for";
+    case StepStatus::tooFast:
+        return grain + " is so fast that in one step it could leap over another; a smaller time step is needed";
     }
     return "";
 }
@@ -59,6 +63,7 @@ World::World(WorldSettings settings)
     for (const NamedShape& named : settings_.shapes)
     {
         masses_.push_back(massProperties(named.shape));
+        mostTravel_.push_back(mostTravel(inscribedRadius(named.shape)));
         straightSided_.push_back(hasStraightSides(named.shape));
         stiffness_.push_back(largestStiffness(boundingRadius(named.shape)));
     }
@@ -164,6 +169,10 @@ StepStatus World::step(double timeStep)
         ledger_->start = kineticEnergy(bodies_) + contactEnergy();
     }
     kick(bodies_, timeStep / 2);
+    if (leaps(timeStep))
+    {
+        return StepStatus::tooFast;
+    }
     drift(bodies_, timeStep);
     if (walls_.anyMoves())
     {
@@ -258,6 +267,20 @@ void World::findContacts()
         }
     }
     list_.carryOver();
+}
+
+bool World::leaps(double timeStep)
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        const double most = mostTravel_[static_cast<std::size_t>(bodies_.shape[i])];
+        if (travel(bodies_.velocity[i], bodies_.angularVelocity[i], bodies_.boundingRadius[i], timeStep) > most)
+        {
+            brokenGrain_ = i;
+            return true;
+        }
+    }
+    return false;
 }
 
 StepStatus World::checkFinite()

@@ -27,6 +27,9 @@ enum class StepStatus
     /// A contact is so deep that it is stiffer than the stable step allows for, and its law does not hold any more
     /// (HertzMindlinLaw::mostOverlap); `World::brokenGrain` tells where.
     tooDeep,
+    /// A grain's outline moves further in a step than mostTravel allows, and could leap over another grain or far into one: positions and time are
+    /// as they were; `World::brokenGrain` tells which.
+    tooFast,
 };
 
 /// "the state of grain 3 is no finite number", for the statuses that are failures.
@@ -158,10 +161,13 @@ private:
     void withLoss(double EnergyLedger::*loss, double timeStep, const Damping& damp);
     void addWorks(double timeStep);
     StepStatus checkFinite();
+    bool leaps(double timeStep);
 
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
     std::vector<bool> straightSided_;
+    /// Of each shape: most that its outline may move in a step [m]: mostTravel.hpp.
+    std::vector<double> mostTravel_;
     /// Of each shape: largest stiffness of its contacts that the stable step allows for [N/m].
     std::vector<double> stiffness_;
     Bodies<2> bodies_;
