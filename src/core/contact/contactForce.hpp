@@ -72,14 +72,16 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     stretch += timeStep * slip;
     const Vector<Dim> unslipped = stretch;
 
-    const double tangentialDamping = dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness);
+    double tangentialDamping = dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness);
     Vector<Dim> tangentialForce = -springs.tangentialStiffness * stretch - tangentialDamping * slip;
     const double size = tangentialForce.norm();
     const double most = law.friction * pressing;
     if (size > most)
     {
+        // The spring keeps what friction holds, without the dashpot's force: that would be energy from nowhere.
         tangentialForce *= most / size;
-        stretch = -(tangentialForce + tangentialDamping * slip) / springs.tangentialStiffness;
+        stretch = -tangentialForce / springs.tangentialStiffness;
+        tangentialDamping = 0;
     }
     if (loss)
     {
