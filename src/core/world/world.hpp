@@ -27,7 +27,7 @@ enum class StepStatus
     /// A contact is so deep that it is stiffer than the stable step allows for, and its law does not hold any more
     /// (HertzMindlinLaw::mostOverlap); `World::brokenGrain` tells where.
     tooDeep,
-    /// A grain's outline moves further in a step than mostTravel allows, and could leap over another grain or far into one: positions and time are
+    /// A grain moves so far in this step that it could leap over another (mostTravel.hpp). Positions and time are
     /// as they were; `World::brokenGrain` tells which.
     tooFast,
 };
