@@ -63,7 +63,7 @@ World::World(WorldSettings settings)
     for (const NamedShape& named : settings_.shapes)
     {
         masses_.push_back(massProperties(named.shape));
-        mostTravel_.push_back(mostTravel(inscribedRadius(named.shape)));
+        inscribedRadii_.push_back(inscribedRadius(named.shape));
         straightSided_.push_back(hasStraightSides(named.shape));
         stiffness_.push_back(largestStiffness(boundingRadius(named.shape)));
     }
@@ -195,7 +195,7 @@ StepStatus World::step(double timeStep)
         }
     }
     time_ += timeStep;
-    return tooDeep_ ? StepStatus::tooDeep : checkFinite();
+    return tooDeep_ || sinksThrough() ? StepStatus::tooDeep : checkFinite();
 }
 
 void World::addWorks(double timeStep)
@@ -271,10 +271,29 @@ void World::findContacts()
 
 bool World::leaps(double timeStep)
 {
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    for (std::size_t i = 0; i < bodies_.size() && bodies_.size() > 1; ++i)
     {
-        const double most = mostTravel_[static_cast<std::size_t>(bodies_.shape[i])];
-        if (travel(bodies_.velocity[i], bodies_.angularVelocity[i], bodies_.boundingRadius[i], timeStep) > most)
+        // What is no number goes on to checkFinite.
+        const double way = travel(bodies_.velocity[i], bodies_.angularVelocity[i], bodies_.boundingRadius[i], timeStep);
+        if (way > mostTravel(inscribedRadiusOf(i)) && std::isfinite(way))
+        {
+            brokenGrain_ = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool World::sinksThrough()
+{
+    for (const Contact<2>& contact : contacts())
+    {
+        if (contact.withWall())
+        {
+            continue;
+        }
+        const auto i = static_cast<std::size_t>(contact.first);
+        if (contact.depth > mostDepth(inscribedRadiusOf(i), inscribedRadiusOf(static_cast<std::size_t>(contact.second))))
         {
             brokenGrain_ = i;
             return true;

@@ -25,7 +25,8 @@ enum class StepStatus
     /// A grain's position or velocity is no longer a finite number; `World::brokenGrain` tells which.
     notFinite,
     /// A contact is so deep that it is stiffer than the stable step allows for, and its law does not hold any more
-    /// (HertzMindlinLaw::mostOverlap); `World::brokenGrain` tells where.
+    /// (HertzMindlinLaw::mostOverlap), or so deep that two grains may pass through each other (mostTravel.hpp);
+    /// `World::brokenGrain` tells where.
     tooDeep,
     /// A grain moves so far in this step that it could leap over another (mostTravel.hpp). Positions and time are
     /// as they were; `World::brokenGrain` tells which.
@@ -162,12 +163,14 @@ private:
     void addWorks(double timeStep);
     StepStatus checkFinite();
     bool leaps(double timeStep);
+    bool sinksThrough();
+    double inscribedRadiusOf(std::size_t grain) const { return inscribedRadii_[static_cast<std::size_t>(bodies_.shape[grain])]; }
 
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
     std::vector<bool> straightSided_;
-    /// Of each shape: most that its outline may move in a step [m]: mostTravel.hpp.
-    std::vector<double> mostTravel_;
+    /// Of each shape [m]: inscribedRadius.hpp.
+    std::vector<double> inscribedRadii_;
     /// Of each shape: largest stiffness of its contacts that the stable step allows for [N/m].
     std::vector<double> stiffness_;
     Bodies<2> bodies_;

@@ -180,7 +180,7 @@ TEST(ExtremeScenes, densitiesOverEightDecades)
             if (c.first != c.second && i % 10 == 9)
             {
                 // Ten thousand times the light ones' time: thrown, or it would not get anywhere in the run.
-                settings.grains[i].velocity = Vector2(40, -60);
+                settings.grains[i].velocity = Vector2(13, -20);
             }
         }
         World world(settings);

@@ -21,12 +21,11 @@ enum class End
     gaveUp
 };
 
-/// Grain 0 flies up at grain 1, at rest, or at a wall above.
+/// Grain 0 flies up at grain 1, at rest.
 End end(WorldSettings settings, double share)
 {
     World world(settings);
     const double timeStep = share * world.stableTimeStep();
-    const bool atWall = settings.grains.size() == 1;
     world.updateForces();
     bool touched = false;
     for (int i = 0; i < 200000; ++i)
@@ -34,14 +33,13 @@ End end(WorldSettings settings, double share)
         const StepStatus status = world.step(timeStep);
         if (status != StepStatus::done)
         {
-            EXPECT_EQ(status, StepStatus::tooFast);
+            EXPECT_TRUE(status == StepStatus::tooFast || status == StepStatus::tooDeep) << describe(status, world.brokenGrain());
             EXPECT_LT(world.brokenGrain(), 2u);
             return End::refused;
         }
         touched = touched || world.largestRelativeOverlap() > 0;
         const auto& pose = world.bodies().pose;
-        const double target = atWall ? settings.walls[0].point.y() : pose[1].position.y();
-        if (pose[0].position.y() > target)
+        if (pose[0].position.y() > pose[1].position.y())
         {
             return End::passedThrough;
         }
@@ -84,16 +82,10 @@ TEST(FastGrains, hitOrAreRefused)
                     settings.grains.resize(2);
                     settings.grains[1].shape = 1;
                     const End atGrain = end(settings, share);
-                    settings.grains.resize(1);
-                    settings.walls = {{"lid", Vector2(0, 0), Vector2(0, -1)}};
-                    const End atWall = end(settings, share);
-                    for (const End e : {atGrain, atWall})
-                    {
-                        hits += e == End::hit;
-                        refusals += e == End::refused;
-                        passed += e == End::passedThrough;
-                        EXPECT_NE(e, End::gaveUp);
-                    }
+                    hits += atGrain == End::hit;
+                    refusals += atGrain == End::refused;
+                    passed += atGrain == End::passedThrough;
+                    EXPECT_NE(atGrain, End::gaveUp);
                     EXPECT_NE(atGrain, End::passedThrough) << shapes[kind].name << " at " << speed << " m/s, size " << size << ", share " << share;
                 }
             }
@@ -103,6 +95,30 @@ TEST(FastGrains, hitOrAreRefused)
     EXPECT_GT(hits, 50);
     EXPECT_GT(refusals, 50);
     test::record("dryEngine", "tunnelled", passed, "-");
+}
+
+TEST(FastGrains, neverLeaveThroughAWall)
+{
+    for (double speed = 0.1; speed < 1e6; speed *= 3)
+    {
+        WorldSettings settings = test::freeBall();
+        settings.walls = {{"lid", Vector2(0, 0), Vector2(0, -1)}};
+        settings.grains[0].position = Vector2(0, -0.06);
+        settings.grains[0].velocity = Vector2(0, speed);
+        World world(settings);
+        const double timeStep = 0.5 * world.stableTimeStep();
+        world.updateForces();
+        for (int i = 0; i < 2000 && world.bodies().velocity[0].y() > 0; ++i)
+        {
+            ASSERT_EQ(world.step(timeStep), StepStatus::done);
+        }
+        for (int i = 0; i < 2000 && !world.contacts().empty(); ++i)
+        {
+            ASSERT_EQ(world.step(timeStep), StepStatus::done);
+        }
+        EXPECT_LT(world.bodies().pose[0].position.y(), 0) << speed;
+        EXPECT_NEAR(world.bodies().velocity[0].y() / speed, -1, 0.06) << speed;
+    }
 }
 
 TEST(FastGrains, areNamedBeforeTheyMove)
@@ -124,9 +140,11 @@ TEST(FastGrains, spinningNeedlesToo)
 {
     WorldSettings settings = test::freeBall();
     settings.shapes = {{"needle", Ellipse(0.1, 0.002)}};
+    settings.grains.resize(2);
+    settings.grains[1].position = Vector2(1, 0);
     World slow(settings);
     const double timeStep = 0.5 * slow.stableTimeStep();
-    settings.grains[0].angularVelocity = 1.01 * 0.002 / 4 / (0.1 * timeStep);
+    settings.grains[0].angularVelocity = 1.01 * 0.002 / 2 / (0.1 * timeStep);
     World fast(settings);
     fast.updateForces();
     EXPECT_EQ(fast.step(timeStep), StepStatus::tooFast);
