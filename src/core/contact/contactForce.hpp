@@ -72,23 +72,25 @@ ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact,
     stretch += timeStep * slip;
     const Vector<Dim> unslipped = stretch;
 
-    double tangentialDamping = dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness);
+    const double tangentialDamping = dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness);
     Vector<Dim> tangentialForce = -springs.tangentialStiffness * stretch - tangentialDamping * slip;
     const double size = tangentialForce.norm();
     const double most = law.friction * pressing;
     if (size > most)
     {
-        // The spring keeps what friction holds, without the dashpot's force: that would be energy from nowhere.
+        // The spring is cut to what friction holds, and never lengthened by the dashpot's force: that would be energy
+        // from nowhere.
         tangentialForce *= most / size;
-        stretch = -tangentialForce / springs.tangentialStiffness;
-        tangentialDamping = 0;
+        const double pull = springs.tangentialStiffness * stretch.norm();
+        stretch *= pull > most ? most / pull : 1;
     }
     if (loss)
     {
-        // The spring's mean force over the step times the way that it has not followed, and the dashpot.
+        // The dashpot's force, and the spring's mean one over the step times the way that it has not followed.
         const Vector<Dim> way = timeStep * slip;
         const Vector<Dim> meanStretch = (unslipped - way + stretch) / 2;
-        *loss += tangentialDamping * slip.dot(way) + springs.tangentialStiffness * meanStretch.dot(unslipped - stretch);
+        *loss += springs.tangentialStiffness * meanStretch.dot(unslipped - stretch)
+            - (tangentialForce + springs.tangentialStiffness * stretch).dot(way);
     }
     return {normalPart + tangentialForce, pressing, damping, springs};
 }

@@ -17,7 +17,7 @@ namespace
 
 constexpr int rows = 8;
 
-/// A square block of grains of one shape in free space, half of each grain's width inside the next.
+/// A square block of grains of one shape in free space, so dense that the deepest contact is half a grain's size.
 WorldSettings block(const NamedShape& shape, double friction, double restitution)
 {
     WorldSettings settings = test::freeBall();
@@ -27,12 +27,23 @@ WorldSettings block(const NamedShape& shape, double friction, double restitution
     settings.shapes = {shape};
     settings.grains.assign(rows * rows, GrainState{});
     test::RandomSource random(23);
-    const double radius = support(shape.shape, Vector2(1, 0)).x();
+    const double radius = 0.9 * support(shape.shape, Vector2(1, 0)).x();
     for (int i = 0; i < rows * rows; ++i)
     {
         GrainState& grain = settings.grains[static_cast<std::size_t>(i)];
         grain.angle = random.uniform(-3, 3);
         grain.position = radius * Vector2(i % rows, i / rows);
+    }
+    double overlap = 1;
+    while (overlap > 0.5 + 1e-9)
+    {
+        for (GrainState& grain : settings.grains)
+        {
+            grain.position *= 1.002;
+        }
+        World world(settings);
+        world.updateForces();
+        overlap = world.largestRelativeOverlap();
     }
     return settings;
 }
@@ -43,6 +54,7 @@ TEST(Overlaps, ofHalfAGrainRelaxWithinTheirElasticEnergy)
 {
     double worst = 0;
     double worstOfCorners = 0;
+    int refused = 0;
     for (const NamedShape& shape : test::shapesOfEachKind(5))
     {
         for (const double restitution : {1.0, 0.5})
@@ -54,7 +66,13 @@ TEST(Overlaps, ofHalfAGrainRelaxWithinTheirElasticEnergy)
                 const double stored = world.contactEnergy();
                 const double overlap = world.largestRelativeOverlap();
                 const EnergyWatch watch = test::watchEnergy(world, 4000);
-                EXPECT_EQ(watch.status, StepStatus::done);
+                if (watch.status != StepStatus::done)
+                {
+                    // Three quarters of the thin grains' inscribed disks: refused by name, which is no relaxing.
+                    EXPECT_EQ(watch.status, StepStatus::tooDeep) << shape.name;
+                    ++refused;
+                    continue;
+                }
                 // No speed is higher than that of the lightest grain with all the energy; most of it is shared.
                 const double mass = 1 / world.bodies().inverseMass[0];
                 const double bound = std::sqrt(2 * stored / mass);
@@ -68,7 +86,7 @@ TEST(Overlaps, ofHalfAGrainRelaxWithinTheirElasticEnergy)
                     "growth %.1e, left %.1e\n",
                     shape.name.c_str(), friction, restitution, overlap, stored, watch.mostKinetic, fastest, bound, watch.growth,
                     world.largestRelativeOverlap());
-                EXPECT_GT(overlap, 0.3);
+                EXPECT_GT(overlap, 0.48);
                 EXPECT_LT(fastest, bound);
                 EXPECT_LT(world.largestRelativeOverlap(), 0.02);
                 double& own = hasStraightSides(shape.shape) ? worstOfCorners : worst;
@@ -80,6 +98,9 @@ TEST(Overlaps, ofHalfAGrainRelaxWithinTheirElasticEnergy)
     // Half inside each other, straight sides change from one to two places with a jump in energy, whatever the time
     // step: the force law has no potential there.
     EXPECT_LT(worstOfCorners, 1.05);
+    std::printf("%d of 16 scenes refused as too deep\n", refused);
+    EXPECT_LE(refused, 4);
+    test::record("dryEngine", "halfOverlapRefused", refused, "-");
     test::record("dryEngine", "halfOverlapKinetic", worst, "-");
     test::record("dryEngine", "halfOverlapKineticStraightSides", worstOfCorners, "-");
 }
