@@ -20,6 +20,8 @@ struct HertzMindlinLaw
 {
     static constexpr const char* typeName = "hertzMindlin";
     static constexpr bool usesCurvature = true;
+    /// Whether the dashpot's coefficient is there from the first touch on; else it grows with the depth.
+    static constexpr bool dampsAtOnce = false;
     /// x = d^(5/4) is a linear oscillator in the time s, ds = sqrt(5/4) d^(1/4) dt, that lets go where the force changes its
     /// sign (Antypov & Elliott 2011), so that restitutionOf holds with this factor.
     static constexpr double dampingFactor = 0.91287092917527685576; // sqrt(5/6)

@@ -12,6 +12,8 @@ struct LinearLaw
 {
     static constexpr const char* typeName = "linear";
     static constexpr bool usesCurvature = false;
+    /// Whether the dashpot's coefficient is there from the first touch on; else it grows with the depth.
+    static constexpr bool dampsAtOnce = true;
     /// Of the dashpots' coefficient 2 dampingRatio sqrt(mass stiffness).
     static constexpr double dampingFactor = 1;
 

@@ -31,6 +31,12 @@ inline double boundingRadius(const Shape& shape)
     return std::visit([](const auto& s) { return s.boundingRadius(); }, shape);
 }
 
+/// Of a disk about the centroid that lies within the grain [m]: the largest one, or for a polybezier nearly so.
+inline double innerRadius(const Shape& shape)
+{
+    return std::visit([](const auto& s) { return s.innerRadius(); }, shape);
+}
+
 inline MassProperties massProperties(const Shape& shape)
 {
     return std::visit([](const auto& s) { return s.massProperties(); }, shape);

@@ -1,6 +1,7 @@
 #include "core/world/world.hpp"
 
 #include "core/contact/rollingResistance.hpp"
+#include "core/dynamics/mostTravel.hpp"
 #include "core/dynamics/stableTimeStep.hpp"
 #include "core/dynamics/velocityVerlet.hpp"
 #include "core/measure/energy.hpp"
@@ -20,27 +21,6 @@ namespace
 /// Share of the smallest grain's radius that grains may move before neighbours are searched again: the optimum
 /// between long lists and frequent searches is flat around it.
 constexpr double skinShare = 0.2;
-
-/// Bounding over inscribed radius from which on a grain is looked for by the upright box about it, not by the circle: the
-/// box is narrower, but no longer holds once the grain has turned.
-constexpr double slenderFrom = 2;
-
-bool isSlender(const Shape& shape)
-{
-    return boundingRadius(shape) > slenderFrom * std::visit([](const auto& actual) { return actual.innerRadius(); }, shape);
-}
-
-/// Of the upright box about the centroid [m].
-Vector2 halfExtentOf(const Shape& shape, const Rotation<2>& rotation)
-{
-    Vector2 half;
-    for (int k = 0; k < 2; ++k)
-    {
-        const Vector2 direction = rotation.applyInverse(Vector2::Unit(k));
-        half[k] = std::max(support(shape, direction).dot(direction), support(shape, -direction).dot(-direction));
-    }
-    return half;
-}
 
 template <class Predicate>
 bool anyLaw(const ContactLaws& laws, Predicate predicate)
@@ -71,6 +51,8 @@ std::string describe(StepStatus status, std::size_t brokenGrain)
         return "the state of " + grain + " is no finite number";
     case StepStatus::tooDeep:
         return "a contact of " + grain + " is deeper than its law and the time step hold for";
+    case StepStatus::tooFast:
+        return grain + " is so fast that in one step it could leap over another; a smaller time step is needed";
     }
     return "";
 }
@@ -86,7 +68,7 @@ World::World(WorldSettings settings)
         masses_.push_back(massProperties(named.shape));
         straightSided_.push_back(hasStraightSides(named.shape));
         stiffness_.push_back(largestStiffness(boundingRadius(named.shape)));
-        slender_.push_back(isSlender(named.shape));
+        innerRadii_.push_back(innerRadius(named.shape));
     }
     const std::vector<GrainState> grains = std::move(settings_.grains);
     settings_.grains = {};
@@ -99,7 +81,7 @@ World::World(WorldSettings settings)
     if (!radii.empty())
     {
         const auto [least, most] = std::minmax_element(radii.begin(), radii.end());
-        skin_ = skinShare * *least;
+        skin_ = std::min(skinShare * *least, mostTravel(*std::min_element(innerRadii_.begin(), innerRadii_.end())));
         largestReach_ = 2 * *most + skin_;
     }
 }
@@ -192,111 +174,6 @@ double World::stableTimeStep() const
     return step.of(dampingRatio, settings_.localDamping);
 }
 
-StepStatus World::step(double timeStep)
-{
-    if (settings_.energyLedger && !ledger_)
-    {
-        ledger_.emplace();
-        ledger_->start = kineticEnergy(bodies_) + contactEnergy();
-    }
-    if (cell_ && cell_->isStrained())
-    {
-        cell_->strain(timeStep);
-        noteStrain();
-    }
-    if (walls_.anyMoves())
-    {
-        walls_.setVelocities(time_, timeStep);
-        walls_.addWork(timeStep / 2);
-        walls_.drift(timeStep);
-    }
-    const bool stale = cell_ ? moveGrains<true>(timeStep) : moveGrains<false>(timeStep);
-    if (ledger_)
-    {
-        addWorks(timeStep);
-    }
-    updateForces(timeStep, stale);
-    const StepStatus status = finishMoves(timeStep);
-    if (walls_.anyMoves())
-    {
-        walls_.addWork(timeStep / 2);
-        if (ledger_)
-        {
-            ledger_->walls = walls_.work();
-        }
-    }
-    time_ += timeStep;
-    return status;
-}
-
-void World::noteStrain()
-{
-    strainSinceSearch_ = cell_->deformationFrom(firstAtSearch_, secondAtSearch_) - Eigen::Matrix2d::Identity();
-}
-
-/// Half a kick, then the drift; true if a grain has moved too far for its neighbours to be still all that are near.
-template <bool periodic>
-bool World::moveGrains(double timeStep)
-{
-    const double most = mostMovement();
-    bool stale = positionsAtSearch_.size() != bodies_.size() || !(most > 0);
-    const std::size_t known = stale ? 0 : bodies_.size();
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        kick(bodies_, i, timeStep / 2);
-        drift(bodies_, i, timeStep);
-        stale |= i < known && hasLeft<periodic>(i, most);
-    }
-    return stale;
-}
-
-/// The other half of the kick, and whether all went well.
-StepStatus World::finishMoves(double timeStep)
-{
-    // Stays zero if all numbers are finite.
-    double sum = 0;
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        kick(bodies_, i, timeStep / 2);
-        sum += 0 * bodies_.velocity[i].x() + 0 * bodies_.velocity[i].y() + 0 * bodies_.angularVelocity[i];
-    }
-    if (tooDeep_)
-    {
-        return StepStatus::tooDeep;
-    }
-    return sum == 0 && !lost_ ? StepStatus::done : brokenState();
-}
-
-StepStatus World::brokenState()
-{
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        if (!bodies_.velocity[i].allFinite() || !std::isfinite(bodies_.angularVelocity[i])
-            || !bodies_.pose[i].position.allFinite())
-        {
-            brokenGrain_ = i;
-            return StepStatus::notFinite;
-        }
-    }
-    return StepStatus::done;
-}
-
-void World::addWorks(double timeStep)
-{
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        if (bodies_.inverseMass[i] > 0)
-        {
-            ledger_->gravity += timeStep * weightOf(i).dot(bodies_.velocity[i]);
-            if (!externalForces_.empty())
-            {
-                ledger_->external +=
-                    timeStep * (externalForces_[i].dot(bodies_.velocity[i]) + externalTorques_[i] * bodies_.angularVelocity[i]);
-            }
-        }
-    }
-}
-
 void World::setVelocityGradient(const Eigen::Matrix2d& gradient)
 {
     const Eigen::Matrix2d change = gradient - cell_->velocityGradient;
@@ -310,136 +187,6 @@ void World::setVelocityGradient(const Eigen::Matrix2d& gradient)
 Vector2 World::branchOf(const Contact<2>& contact) const
 {
     return cell_ ? Vector2(branchVector(contact, bodies_) + offsetOf(contact)) : branchVector(contact, bodies_);
-}
-
-/// Of a grain since the last search, on top of the cell's strain, so that no pair that was farther apart than the skin
-/// can touch [m]. Images at the reach of the widest pair come nearer by the strain itself.
-double World::mostMovement() const
-{
-    double most = skin_ / 2;
-    if (walls_.anyMoves() && !(walls_.movedSinceSearch() <= most))
-    {
-        return 0;
-    }
-    if (cell_)
-    {
-        most -= strainSinceSearch_.norm() * largestReach_ / 2;
-    }
-    return most;
-}
-
-/// Written so that a position that is not a number asks for a search, too.
-template <bool periodic>
-bool World::hasLeft(std::size_t grain, double most) const
-{
-    const Vector2& old = positionsAtSearch_[grain];
-    Vector2 moved = bodies_.pose[grain].position - old;
-    if constexpr (periodic)
-    {
-        moved -= strainSinceSearch_ * (old - cell_->cell.lower());
-    }
-    double left = most;
-    if (!anglesAtSearch_.empty() && slender_[static_cast<std::size_t>(bodies_.shape[grain])])
-    {
-        left -= bodies_.boundingRadius[grain] * std::abs(bodies_.pose[grain].rotation.angle() - anglesAtSearch_[grain]);
-    }
-    return !(left > 0 && moved.squaredNorm() <= left * left);
-}
-
-bool World::neighboursAreStale() const
-{
-    const double most = mostMovement();
-    if (positionsAtSearch_.size() != bodies_.size() || !(most > 0))
-    {
-        return true;
-    }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        if (cell_ ? hasLeft<true>(i, most) : hasLeft<false>(i, most))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-void World::findNeighbours()
-{
-    if (cell_)
-    {
-        wrapGrains();
-        firstAtSearch_ = cell_->cell.first();
-        secondAtSearch_ = cell_->cell.second();
-        strainSinceSearch_.setZero();
-    }
-    positionsAtSearch_.resize(bodies_.size());
-    std::transform(
-        bodies_.pose.begin(), bodies_.pose.end(), positionsAtSearch_.begin(), [](const Pose<2>& p) { return p.position; });
-    walls_.noteSearch();
-    if (std::find(slender_.begin(), slender_.end(), true) != slender_.end())
-    {
-        noteBoxes();
-    }
-    findContacts();
-    lost_ = brokenState() != StepStatus::done;
-}
-
-/// Grains that have left the cell come in from the other side, with the flow's velocity there; the ledger counts the
-/// difference as work of the boundary.
-void World::wrapGrains()
-{
-    cell_->straighten();
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        const Shift shift = cell_->cell.wrap(bodies_.pose[i].position);
-        if (shift == Shift{})
-        {
-            continue;
-        }
-        const Vector2 jump = cell_->velocityGradient * cell_->cell.offset(shift);
-        if (ledger_ && bodies_.inverseMass[i] > 0)
-        {
-            ledger_->walls += jump.dot(bodies_.velocity[i] + jump / 2) / bodies_.inverseMass[i];
-        }
-        bodies_.velocity[i] += jump;
-    }
-}
-
-void World::noteBoxes()
-{
-    halfExtents_.resize(bodies_.size());
-    anglesAtSearch_.resize(bodies_.size());
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        const double radius = bodies_.boundingRadius[i];
-        const bool slender = slender_[static_cast<std::size_t>(bodies_.shape[i])];
-        halfExtents_[i] = slender ? halfExtentOf(shapeOf(i), bodies_.pose[i].rotation) : Vector2(radius, radius);
-        anglesAtSearch_[i] = bodies_.pose[i].rotation.angle();
-    }
-}
-
-void World::findContacts()
-{
-    const std::vector<NeighbourPair>& pairs = cell_
-        ? search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_, cell_->cell)
-        : search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_);
-    list_.restart(pairs.size());
-    for (const auto& [first, second, shift] : pairs)
-    {
-        const bool flat = isStraightSided(static_cast<std::size_t>(first)) && isStraightSided(static_cast<std::size_t>(second));
-        list_.add(first, second, flat, shift);
-    }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        for (std::size_t w = walls_.walls().size(); w-- > 0;)
-        {
-            if (nearestTo(walls()[w], positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + walls_.halfThickness(w) + skin_)
-            {
-                list_.add(static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w), isStraightSided(i));
-            }
-        }
-    }
-    list_.carryOver();
 }
 
 double World::largestRelativeOverlap() const

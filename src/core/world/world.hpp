@@ -11,6 +11,7 @@
 #include "core/world/worldState.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,8 +27,12 @@ enum class StepStatus
     /// A grain's position or velocity is no longer a finite number; `World::brokenGrain` tells which.
     notFinite,
     /// A contact is so deep that it is stiffer than the stable step allows for, and its law does not hold any more
-    /// (HertzMindlinLaw::mostOverlap); `World::brokenGrain` tells where.
+    /// (HertzMindlinLaw::mostOverlap), or so deep that two grains are about to pass through each other
+    /// (mostTravel.hpp); `World::brokenGrain` tells where.
     tooDeep,
+    /// A grain has moved so far in this step that it may have leapt over another (mostTravel.hpp): the step is refused
+    /// before its forces are known. `World::brokenGrain` tells which.
+    tooFast,
 };
 
 /// "the state of grain 3 is no finite number", for the statuses that are failures.
@@ -168,9 +173,10 @@ private:
     template <bool periodic>
     bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
     template <bool periodic, class Law>
-    void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep);
+    void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, double massShare = 1);
+    void noteDepth(const Contact<2>& contact, double way);
     template <bool periodic, class Law>
-    void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep);
+    void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, double massShare);
     double effectiveRadius(const Contact<2>& contact) const;
     double rollingRadius(const Contact<2>& contact) const;
     void noteStiffness(std::size_t i, std::size_t j, const ContactSprings& springs);
@@ -187,11 +193,17 @@ private:
     void withLoss(double EnergyLedger::*loss, double timeStep, const Damping& damp);
     void addWorks(double timeStep);
     StepStatus brokenState();
+    bool leaps(double timeStep);
+    double innerRadiusOf(std::size_t grain) const { return innerRadii_[static_cast<std::size_t>(bodies_.shape[grain])]; }
+    /// Looked for by the upright box about it, not by the circle: the box is narrower, but no longer holds once the grain
+    /// has turned.
+    bool isSlender(std::size_t grain) const { return bodies_.boundingRadius[grain] > 2 * innerRadiusOf(grain); }
 
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
     std::vector<bool> straightSided_;
-    std::vector<bool> slender_;
+    /// Of each shape [m].
+    std::vector<double> innerRadii_;
     /// Of each shape: largest stiffness of its contacts that the stable step allows for [N/m].
     std::vector<double> stiffness_;
     Bodies<2> bodies_;
@@ -225,5 +237,23 @@ private:
     std::size_t doubtfulQueries_ = 0;
     ContactStatistics contactStatistics_;
 };
+
+// Written so that a position that is not a number asks for a search, too.
+template <bool periodic>
+bool World::hasLeft(std::size_t grain, double most) const
+{
+    const Vector2& old = positionsAtSearch_[grain];
+    Vector2 moved = bodies_.pose[grain].position - old;
+    if constexpr (periodic)
+    {
+        moved -= strainSinceSearch_ * (old - cell_->cell.lower());
+    }
+    double left = most;
+    if (!anglesAtSearch_.empty() && isSlender(grain))
+    {
+        left -= bodies_.boundingRadius[grain] * std::abs(bodies_.pose[grain].rotation.angle() - anglesAtSearch_[grain]);
+    }
+    return !(left > 0 && moved.squaredNorm() <= left * left);
+}
 
 } // namespace chesil

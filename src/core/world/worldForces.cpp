@@ -3,6 +3,7 @@
 #include "core/contact/contactForce.hpp"
 #include "core/contact/rollingResistance.hpp"
 #include "core/dynamics/localDamping.hpp"
+#include "core/dynamics/mostTravel.hpp"
 #include "core/dynamics/viscousDamping.hpp"
 #include "core/measure/energy.hpp"
 #include "core/world/diskContact.hpp"
@@ -126,8 +127,10 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
         {
             std::swap(*spring, *list_.springOf(index + 1));
         }
-        load<periodic>(law, index, places[0], timeStep);
-        load<periodic>(law, index + 1, places[1], timeStep);
+        // Each place damps half of the mass, if there are two: together they give the restitution that was asked.
+        const double massShare = places[0].depth > 0 && places[1].depth > 0 ? 0.5 : 1;
+        load<periodic>(law, index, places[0], timeStep, massShare);
+        load<periodic>(law, index + 1, places[1], timeStep, massShare);
         return;
     }
     load<periodic>(law, index, found, timeStep);
@@ -152,7 +155,7 @@ void World::release(const Law& law, std::size_t index)
 }
 
 template <bool periodic, class Law>
-void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep)
+void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, double massShare)
 {
     if (!(geometry.depth > 0))
     {
@@ -164,7 +167,7 @@ void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& ge
     contact.depth = geometry.depth;
     contact.normal = geometry.normal;
     contact.point = geometry.point;
-    loadBodies<periodic>(law, index, previousDepth, timeStep);
+    loadBodies<periodic>(law, index, previousDepth, timeStep, massShare);
 }
 
 template <bool periodic>
@@ -296,7 +299,7 @@ double World::rollingRadius(const Contact<2>& contact) const
 }
 
 template <bool periodic, class Law>
-void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep)
+void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, double massShare)
 {
     Contact<2>& contact = list_.contacts()[index];
     const auto i = static_cast<std::size_t>(contact.first);
@@ -325,13 +328,16 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
         relativeSpin -= bodies_.angularVelocity[j];
         inverseMass += bodies_.inverseMass[j];
     }
+    if (contact.depth > previousDepth)
+    {
+        noteDepth(contact, timeStep * relative.norm());
+    }
     // Two driven bodies feel no force; any mass does.
-    const double effectiveMass = inverseMass > 0 ? 1 / inverseMass : 0;
-    ContactState<2> state{contact.depth, contact.normal, relative, effectiveMass};
+    const double effectiveMass = inverseMass > 0 ? massShare / inverseMass : 0;
+    ContactState<2> state{contact.depth, contact.normal, relative, effectiveMass, 0, previousDepth};
     if constexpr (Law::usesCurvature)
     {
         state.effectiveRadius = effectiveRadius(contact);
-        state.previousDepth = previousDepth;
     }
     double* loss = ledger_ ? &ledger_->contacts : nullptr;
     const ContactForce<2> result = contactForce(law, state, timeStep, list_.springOf(index), loss);
@@ -369,6 +375,22 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
         {
             bodies_.torque[j] -= torque;
         }
+    }
+}
+
+/// A contact that grows too deep is about to pass through; one that was made so deep may relax.
+void World::noteDepth(const Contact<2>& contact, double way)
+{
+    double radii = innerRadiusOf(static_cast<std::size_t>(contact.first));
+    if (!contact.withWall())
+    {
+        radii += innerRadiusOf(static_cast<std::size_t>(contact.second));
+    }
+    const bool endless = contact.withWall() && !walls()[contact.wall()].plate;
+    if (contact.depth > mostDepth(radii, way) && !endless && !tooDeep_)
+    {
+        tooDeep_ = true;
+        brokenGrain_ = static_cast<std::size_t>(contact.first);
     }
 }
 

@@ -96,10 +96,15 @@ TEST(StrainedCell, whereTheCellBeginsDoesNotMatter)
     one.updateForces();
     other.updateForces();
     const double timeStep = one.stableTimeStep() / 4;
+    std::size_t across = 0;
     for (int i = 0; i < 1500; ++i)
     {
         ASSERT_EQ(one.step(timeStep), StepStatus::done);
         ASSERT_EQ(other.step(timeStep), StepStatus::done);
+        for (const Contact<2>& contact : one.contacts())
+        {
+            across += contact.depth > 0 && !(contact.shift == NearShift{});
+        }
     }
     double worst = 0;
     for (std::size_t i = 0; i < one.bodies().size(); ++i)
@@ -107,11 +112,6 @@ TEST(StrainedCell, whereTheCellBeginsDoesNotMatter)
         const Vector2 between = other.bodies().pose[i].position - one.bodies().pose[i].position;
         const PeriodicCell& cell = one.cell()->cell;
         worst = std::max(worst, (between + cell.offset(cell.nearestShift(between))).norm());
-    }
-    std::size_t across = 0;
-    for (const Contact<2>& contact : one.contacts())
-    {
-        across += !(contact.shift == NearShift{});
     }
     EXPECT_GT(across, 0u) << "pairs meet across the boundary";
     EXPECT_LT(worst, 1e-8);

@@ -154,7 +154,7 @@ TEST(WorldContacts, frictionHistoryOutlivesANewNeighbourList)
     resting.position = Vector2(0, 0.03 - weight / 1e6);
     GrainState flying;
     flying.position = Vector2(-5, 3);
-    flying.velocity = Vector2(50, 0);
+    flying.velocity = Vector2(10, 0);
     flying.driven = true;
     settings.grains = {resting, flying};
     World world(settings);
