@@ -23,8 +23,9 @@ struct ContactForce
 };
 
 /// `spring` is the elastic tangential displacement of the first body against the second [m], carried from step
-/// to step: it is lengthened by this step's slip and cut to what friction holds. Null without friction. Springs and dashpots never attract; cohesion does. The laws: linearLaw.hpp,
-/// hertzMindlinLaw.hpp. `loss`, if not null, grows by what dashpots and slip take in this step [J].
+/// to step: it is lengthened by this step's slip and cut to what friction holds. Null without friction. Springs and
+/// dashpots never attract; the law's attraction does. The laws: linearLaw.hpp, hertzMindlinLaw.hpp. `loss`, if not null,
+/// grows by what dashpots and slip take in this step [J].
 template <class Law, int Dim>
 [[gnu::always_inline]] inline ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact, double timeStep, Tangential<Dim>* spring, double* loss = nullptr)
 {
@@ -33,7 +34,7 @@ template <class Law, int Dim>
     const double dashpot = 2 * Law::dampingFactor * law.dampingRatio;
     const double damping = dashpot * std::sqrt(contact.effectiveMass * springs.normalStiffness);
     const double pressing = std::max(0.0, springs.normalForce + damping * approach);
-    const Vector<Dim> normalPart = (law.cohesion - pressing) * contact.normal;
+    const Vector<Dim> normalPart = (law.attraction(contact) - pressing) * contact.normal;
     if (loss)
     {
         *loss += timeStep * (pressing - springs.normalForce) * approach;
