@@ -30,7 +30,7 @@ void Foam::progressLine::print(scalar time, const std::string& more)
 {
     last_ = clock::now();
     const scalar share = (time - startTime_)/(endTime_ - startTime_);
-    const scalar left = share > 0 ? elapsed()*(1 - share)/share : 0;
+    const scalar left = share > 0 ? elapsed()*max(1 - share, scalar(0))/share : 0;
     char text[160];
     std::snprintf
     (

@@ -50,4 +50,8 @@ constexpr double cellConvexity = 1e-4;
 /// rounding of the moments' sum over some tens of segments.
 constexpr double centroid = 1e-13;
 
+/// A shape has a long axis if the largest and the smallest second moment of its area differ by more than this share of
+/// their sum: far above the rounding of the moments, far below what could be seen as long.
+constexpr double isotropic = 1e-9;
+
 } // namespace chesil::tolerances

@@ -32,28 +32,30 @@ double begun(const ContactState<Dim>& contact, double way)
 }
 
 /// `spring` is the elastic tangential displacement of the first body against the second [m], carried from step
-/// to step: it is lengthened by this step's slip and cut to what friction holds. Null without friction. The velocity is that of the half step before, and the normal
-/// dashpot works on that of the full step, F = f + c (v - F dt/(2 m)), solved for F: exact for two bodies that meet
-/// centrally. Springs and dashpots never attract; cohesion does. The laws: linearLaw.hpp, hertzMindlinLaw.hpp. `loss`, if not null, grows by what dashpots and slip take in this step [J].
+/// to step: it is lengthened by this step's slip and cut to what friction holds. Null without friction. The velocity is
+/// that of the half step before, and the normal dashpot works on that of the full step, F = f + c (v - F dt/(2 m)), solved
+/// for F: exact for two bodies that meet centrally. Springs and dashpots never attract; the law's attraction does. The
+/// laws: linearLaw.hpp, hertzMindlinLaw.hpp. `loss`, if not null, grows by what dashpots and slip take in this step [J].
 template <class Law, int Dim>
 [[gnu::always_inline]] inline ContactForce<Dim> contactForce(const Law& law, const ContactState<Dim>& contact, double timeStep, Tangential<Dim>* spring, double* loss = nullptr)
 {
     const ContactSprings springs = law.springs(contact);
     const double approach = contact.relativeVelocity.dot(contact.normal);
     const double dashpot = 2 * Law::dampingFactor * law.dampingRatio;
+    const double attraction = law.attraction(contact);
     const bool damped = dashpot > 0 && contact.effectiveMass > 0;
     const double damping = damped ? dashpot * std::sqrt(contact.effectiveMass * springs.normalStiffness) : 0;
     const double slowing = damped ? timeStep / (2 * contact.effectiveMass) : 0;
     double pressing = springs.normalForce;
     if (damped)
     {
-        pressing += begun<Law>(contact, approach * timeStep) * damping * approach;
+        pressing += damping * (begun<Law>(contact, approach * timeStep) * approach + slowing * attraction);
         pressing = std::max(0.0, pressing / (1 + damping * slowing));
     }
-    const Vector<Dim> normalPart = (law.cohesion - pressing) * contact.normal;
+    const Vector<Dim> normalPart = (attraction - pressing) * contact.normal;
     if (loss)
     {
-        *loss += timeStep * (pressing - springs.normalForce) * (approach - slowing * (pressing - law.cohesion));
+        *loss += timeStep * (pressing - springs.normalForce) * (approach - slowing * (pressing - attraction));
     }
     if (!spring)
     {

@@ -37,12 +37,22 @@ struct HertzMindlinLaw
     double dampingRatio = 0;
     double cohesion = 0;
     double rollingFriction = 0;
+    /// Energy that it takes to part the two surfaces, >= 0 [J/m2]: twice the surface energy of two like bodies.
+    double workOfAdhesion = 0;
 
     bool frictional() const { return friction > 0; }
 
     double largestStiffness(double radius) const
     {
         return std::max(2 * effectiveModulus, 8 * effectiveShearModulus) * radius * std::sqrt(mostOverlap);
+    }
+
+    /// What draws the two bodies together while they touch [N]: cohesion, and the pull-off force 2 pi w R of two stiff
+    /// spheres, which keeps its size at any depth (Derjaguin, Muller & Toporov 1975; Maugis 1992).
+    template <int Dim>
+    double attraction(const ContactState<Dim>& contact) const
+    {
+        return cohesion + 2 * M_PI * workOfAdhesion * contact.effectiveRadius;
     }
 
     template <int Dim>

@@ -38,6 +38,13 @@ struct LinearLaw
     /// Largest stiffness, either way, of contacts between grains of this radius of curvature [m].
     double largestStiffness(double) const { return std::max(normalStiffness, tangentialStiffness); }
 
+    /// What draws the two bodies together while they touch [N].
+    template <int Dim>
+    double attraction(const ContactState<Dim>&) const
+    {
+        return cohesion;
+    }
+
     template <int Dim>
     ContactSprings springs(const ContactState<Dim>& contact) const
     {

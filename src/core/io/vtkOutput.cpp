@@ -113,6 +113,15 @@ Polyline visiblePart(const PlaneWall<2>& wall, const World& world)
     return {{wall.point + from * tangent, wall.point + to * tangent}};
 }
 
+/// Closed; of a strip a line across it.
+Polyline outlineOf(const PeriodicCell& cell)
+{
+    const Vector2& corner = cell.lower();
+    const Vector2 right = corner + cell.first();
+    const Vector2 above = corner + cell.second();
+    return {{corner, right, right + cell.second(), above, corner}};
+}
+
 } // namespace
 
 std::string VtkOutput::nameOf(std::size_t index)
@@ -167,6 +176,10 @@ void VtkOutput::writeWalls(const World& world) const
     {
         walls.push_back(visiblePart(wall, world));
     }
+    if (world.cell())
+    {
+        walls.push_back(outlineOf(world.cell()->cell));
+    }
     writeAside(caseFolder_ + "/grains/walls.vtp", [&](std::ostream& file) { writePolyData(file, "Lines", walls, {}); });
 }
 
@@ -191,7 +204,8 @@ void VtkOutput::write(const World& world, double time)
     const std::string name = nameOf(written_.size());
     writeAside(caseFolder_ + "/" + name, [&](std::ostream& file) { writePolyData(file, "Polys", grains, arrays); });
     const auto movesAtAll = [](const PlaneWall<2>& wall) { return moves(wall.motion); };
-    if (std::any_of(world.walls().begin(), world.walls().end(), movesAtAll))
+    const bool strained = world.cell() && world.cell()->isStrained();
+    if (strained || std::any_of(world.walls().begin(), world.walls().end(), movesAtAll))
     {
         writeWalls(world);
     }

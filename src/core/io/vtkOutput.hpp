@@ -10,8 +10,9 @@ namespace chesil
 {
 
 /// Pictures of a run for ParaView: `<case>/grains/grains_<n>.vtp`, one closed polygon a grain along its true
-/// curved outline, `<case>/grains/walls.vtp` (walls that move: as they are at the last state), and the index `<case>/grains.pvd`. All are written aside and
-/// renamed, so that none is ever seen half written. Throws SetupError if a file cannot be written.
+/// curved outline, `<case>/grains/walls.vtp` (walls and a periodic cell's outline; those that move: as they are at the
+/// last state), and the index `<case>/grains.pvd`. All are written aside and renamed, so that none is ever seen half
+/// written. Throws SetupError if a file cannot be written.
 class VtkOutput
 {
 public:

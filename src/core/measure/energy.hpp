@@ -37,14 +37,14 @@ inline double powerOfForces(const Bodies<2>& bodies)
     return sum;
 }
 
-/// Energy stored in a contact's normal and tangential spring, and by its cohesion (negative) [J]; `stretch` is the
+/// Energy stored in a contact's normal and tangential spring, and by its attraction (negative) [J]; `stretch` is the
 /// tangential one's [m].
 template <class Law, int Dim>
 double elasticEnergy(const Law& law, const ContactState<Dim>& contact, const Tangential<Dim>& stretch)
 {
     const ContactSprings springs = law.springs(contact);
     return Law::energyShare * springs.normalForce * contact.depth
-        + 0.5 * springs.tangentialStiffness * TangentPlane<Dim>::dot(stretch, stretch) - law.cohesion * contact.depth;
+        + 0.5 * springs.tangentialStiffness * TangentPlane<Dim>::dot(stretch, stretch) - law.attraction(contact) * contact.depth;
 }
 
 } // namespace chesil

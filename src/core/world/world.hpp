@@ -120,6 +120,9 @@ public:
     double polarMomentOf(std::size_t grain) const { return masses_[static_cast<std::size_t>(bodies_.shape[grain])].polarMoment; }
     double sizeOf(std::size_t grain) const;
 
+    /// Weight of grain i, less its buoyancy once immersed [N].
+    Vector2 weightOf(std::size_t grain) const;
+
     /// Largest overlap of a contact over the size of its smaller grain.
     double largestRelativeOverlap() const;
 
@@ -151,7 +154,6 @@ private:
     void wrapGrains();
     void applyWeights();
     void addBody(const GrainState& grain);
-    Vector2 weightOf(std::size_t grain) const;
     StepStatus finishMoves(double timeStep);
     bool isStraightSided(std::size_t grain) const { return straightSided_[static_cast<std::size_t>(bodies_.shape[grain])]; }
     std::size_t materialOf(std::size_t grain) const { return materialOf_.empty() ? 0 : static_cast<std::size_t>(materialOf_[grain]); }

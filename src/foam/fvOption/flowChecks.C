@@ -27,6 +27,16 @@ void Foam::checkUse
             " (contact.restitution takes energy from contacts)"
         );
     }
+    if (world.cell)
+    {
+        throw chesil::SetupError
+        (
+            "constant/chesilProperties",
+            "cell",
+            "a periodic cell",
+            "none in flow: the mesh does not repeat itself"
+        );
+    }
     const word steady("steadyState");
     const word ddt("ddt(" + U + ')');
     const bool allDriven = std::all_of

@@ -85,6 +85,7 @@ HertzMindlinLaw hertzMindlinLaw
         chesil::effectiveModulusOf(materials.elastic[a], materials.elastic[b]);
     law.effectiveShearModulus = chesil::effectiveShearModulusOf
         (materials.elastic[a], materials.elastic[b]);
+    law.workOfAdhesion = entries.notNegative("workOfAdhesion", 0);
     readSurface(entries, law);
     return law;
 }
@@ -308,6 +309,7 @@ chesil::ContactLaws Foam::readContactLaws
             }
         );
     }
+    names.push_back("workOfAdhesion");
     requireElasticity(any, materials);
     requireCurvature(any, shapes);
     return readTable<HertzMindlinLaw>

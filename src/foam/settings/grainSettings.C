@@ -257,6 +257,28 @@ void checkWalls
     }
 }
 
+//- Grains in a box that reaches out of the cell would start in others' images
+void checkCell
+(
+    const checkedDictionary& entries,
+    const chesil::PeriodicCell& cell
+)
+{
+    const chesil::PlacementBox box = readBox(entries);
+    const chesil::Vector2 upper = cell.lower() + cell.first() + cell.second();
+    if
+    (
+        (box.lower - cell.lower()).minCoeff() < 0
+     || (upper - box.upper).minCoeff() < 0
+    )
+    {
+        entries.fail
+        (
+            "box", "a box that reaches out of the cell", "a box within the cell"
+        );
+    }
+}
+
 } // End namespace
 
 
@@ -266,7 +288,7 @@ std::vector<chesil::GrainState> Foam::readGrains
 (
     const dictionary& dict,
     shapeGroups& shapes,
-    const std::vector<chesil::PlaneWall<2>>& walls,
+    const chesil::WorldSettings& world,
     const materialSettings& materials
 )
 {
@@ -292,7 +314,11 @@ std::vector<chesil::GrainState> Foam::readGrains
         {
             grain.material = material;
         }
-        checkWalls(entries, name, some, shapes, walls);
+        checkWalls(entries, name, some, shapes, world.walls);
+        if (world.cell && sub.found("box"))
+        {
+            checkCell(checkedDictionary(sub), world.cell->cell);
+        }
         grains.insert(grains.end(), some.begin(), some.end());
     }
     return grains;

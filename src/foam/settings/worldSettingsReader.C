@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "worldSettingsReader.H"
+#include "boundarySettings.H"
 #include "checkedDictionary.H"
 #include "contactSettings.H"
 #include "grainSettings.H"
@@ -13,6 +14,7 @@
 #include "IFstream.H"
 #include "OSspecific.H"
 
+#include "core/world/namedMeasures.hpp"
 #include "core/world/world.hpp"
 
 #include <algorithm>
@@ -29,142 +31,10 @@ using Foam::scalar;
 
 const std::vector<std::string> knownNames
 {
-    "gravity", "material", "materials", "contact", "damping", "walls", "shapes", "grains",
-    "timeStep", "stopAtRest", "contactStatistics", "measures",
-    "checkpoints", "fluid", "variables"
+    "gravity", "material", "materials", "contact", "damping", "walls", "cell",
+    "shapes", "grains", "timeStep", "stopAtRest", "contactStatistics",
+    "measures", "checkpoints", "fluid", "variables"
 };
-
-//- applications/solvers/chesilDEM/worldMeasures.C computes them
-const std::vector<std::string> knownMeasures
-{
-    "energy", "coordination", "stress", "fabric", "packing", "walls"
-};
-
-chesil::WallMotion readMotion
-(
-    const checkedDictionary& entries,
-    const std::vector<Foam::word>& walls
-)
-{
-    const bool driven =
-        entries.found("velocity") || entries.found("amplitude")
-     || entries.found("frequency");
-    if (!entries.found("pressure"))
-    {
-        if (!driven)
-        {
-            return chesil::FixedWall{};
-        }
-        chesil::DrivenWall motion;
-        if (entries.found("velocity"))
-        {
-            motion.velocity = entries.planeVector("velocity");
-        }
-        if (entries.found("amplitude") || entries.found("frequency"))
-        {
-            motion.amplitude = entries.planeVector("amplitude");
-            motion.frequency = entries.positive("frequency");
-        }
-        return motion;
-    }
-    if (driven)
-    {
-        entries.fail
-        (
-            "pressure",
-            "a law of motion, too",
-            "either pressure, speed and between, or velocity, amplitude and"
-            " frequency"
-        );
-    }
-    chesil::ServoWall servo;
-    servo.pressure = entries.notNegative("pressure", 0);
-    servo.speed = entries.positive("speed");
-    const std::vector<std::string> between = entries.words("between");
-    const std::string expected = "the names of the two walls that end this one";
-    if (between.size() != 2 || between[0] == between[1])
-    {
-        entries.fail
-            ("between", std::to_string(between.size()) + " names", expected);
-    }
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-        const auto found = std::find(walls.begin(), walls.end(), between[k]);
-        if (found == walls.end())
-        {
-            entries.fail("between", between[k], expected);
-        }
-        servo.between[k] = std::size_t(found - walls.begin());
-    }
-    return servo;
-}
-
-//- The walls that end a servo wall must cross it
-void checkServos
-(
-    const dictionary& dict,
-    const std::vector<chesil::PlaneWall<2>>& walls
-)
-{
-    for (const chesil::PlaneWall<2>& wall : walls)
-    {
-        const auto* servo = std::get_if<chesil::ServoWall>(&wall.motion);
-        for (std::size_t k = 0; servo && k < 2; ++k)
-        {
-            const chesil::PlaneWall<2>& end = walls[servo->between[k]];
-            if (std::abs(chesil::cross(wall.normal, end.normal)) < 0.1)
-            {
-                checkedDictionary(dict.subDict(wall.name)).fail
-                (
-                    "between",
-                    end.name + ", which is parallel to this wall or nearly so",
-                    "two walls that cross it"
-                );
-            }
-        }
-    }
-}
-
-std::vector<chesil::PlaneWall<2>> readWalls
-(
-    const dictionary& dict,
-    const Foam::materialSettings& materials
-)
-{
-    std::vector<chesil::PlaneWall<2>> walls;
-    const std::vector<Foam::word> names = checkedDictionary::subDictNames(dict);
-    for (const Foam::word& name : names)
-    {
-        const checkedDictionary entries
-        (
-            dict.subDict(name),
-            {
-                "point", "normal", "material", "velocity", "amplitude",
-                "frequency", "pressure", "speed", "between"
-            }
-        );
-        const chesil::Vector2 normal = entries.planeVector("normal");
-        if (!(normal.norm() > 0))
-        {
-            entries.fail
-            (
-                "normal",
-                "a vector of no length",
-                "the direction from the wall into the domain"
-            );
-        }
-        walls.push_back
-        ({
-            name,
-            entries.planeVector("point"),
-            normal.normalized(),
-            materials.read(entries),
-            readMotion(entries, names)
-        });
-    }
-    checkServos(dict, walls);
-    return walls;
-}
 
 //- Grains that start inside each other would be shot apart; driven ones stay
 void checkOverlaps
@@ -175,7 +45,15 @@ void checkOverlaps
 {
     constexpr scalar allowedShare = 0.1;
     chesil::World world(settings);
-    world.updateForces();
+    try
+    {
+        world.updateForces();
+    }
+    catch (const chesil::ValueError& error)
+    {
+        // Nothing but a cell refuses: for grains too wide or far off
+        throw error.at(entries.file(), entries.fullName("cell"));
+    }
     for (const chesil::Contact<2>& contact : world.contacts())
     {
         if (contact.withWall())
@@ -250,12 +128,13 @@ Foam::runSettings readRun(const checkedDictionary& entries)
     run.stopAtRest = entries.notNegative("stopAtRest", 0);
     if (entries.found("measures"))
     {
+        const std::vector<std::string> known = chesil::measureNames();
         run.measures = entries.words("measures");
         for (const std::string& name : run.measures)
         {
             if
             (
-                std::count(knownMeasures.begin(), knownMeasures.end(), name) == 0
+                std::count(known.begin(), known.end(), name) == 0
              || std::count(run.measures.begin(), run.measures.end(), name) > 1
             )
             {
@@ -263,7 +142,7 @@ Foam::runSettings readRun(const checkedDictionary& entries)
                 (
                     "measures",
                     name,
-                    "each once, of: " + chesil::listOfNames(knownMeasures)
+                    "each once, of: " + chesil::listOfNames(known)
                 );
             }
         }
@@ -366,11 +245,22 @@ Foam::caseSettings Foam::readCase
     {
         world.walls = readWalls(entries.subDict("walls"), materials);
     }
+    if (entries.found("cell"))
+    {
+        if (!world.walls.empty())
+        {
+            entries.fail
+            (
+                "cell", "walls, too", "one of both: a wall does not repeat itself"
+            );
+        }
+        world.cell = readCell(entries.subDict("cell"));
+    }
     shapeGroups shapes =
         readShapes(entries.subDict("shapes"), runTime.globalPath());
     world.grains = readGrains
     (
-        entries.subDict("grains"), shapes, world.walls, materials
+        entries.subDict("grains"), shapes, world, materials
     );
     world.contact =
         readContactLaws(entries.subDict("contact"), materials, shapes.shapes);

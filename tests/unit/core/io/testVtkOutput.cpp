@@ -241,6 +241,28 @@ TEST_F(VtkOutputTest, wallsAreLinesAndNoGrainsAreNoPolygons)
               "0");
 }
 
+TEST_F(VtkOutputTest, aPeriodicCellIsAClosedLineThatGoesWithTheStrain)
+{
+    WorldSettings settings = test::freeBall();
+    settings.grains[0].position = Vector2(0.3, 0.3);
+    Eigen::Matrix2d shear = Eigen::Matrix2d::Zero();
+    shear(0, 1) = 0.5;
+    settings.cell.emplace(PeriodicCell(Vector2(0.1, 0), Vector2(0.6, 0), Vector2(0, 0.4)), shear);
+    World world(settings);
+    world.updateForces();
+    VtkOutput output(folder_, world);
+    const auto points = [&] { return parsed(contentOf(folder_ + "/grains/walls.vtp")).find("Points")->find("DataArray")->numbers(); };
+    EXPECT_EQ(points(), (std::vector<double>{0.1, 0, 0, 0.7, 0, 0, 0.7, 0.4, 0, 0.1, 0.4, 0, 0.1, 0, 0}));
+    for (int i = 0; i < 100; ++i)
+    {
+        ASSERT_EQ(world.step(1e-3), StepStatus::done);
+    }
+    output.write(world, 0.1);
+    // Sheared by 0.05: the upper side has gone 0.02 m to the right.
+    EXPECT_NEAR(points()[6], 0.72, 1e-8);
+    EXPECT_NEAR(points()[9], 0.12, 1e-8);
+}
+
 TEST_F(VtkOutputTest, anEarlierRunsFilesAreGone)
 {
     const World world(test::mixedScene(3, 195));
