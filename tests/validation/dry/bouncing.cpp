@@ -33,7 +33,7 @@ void bounces(Report& report)
             ++bounce;
             const double height = (world.bodies().pose[0].position.y() - radius) / drop;
             const double theory = std::pow(restitution, 2 * bounce);
-            report.compare("bouncing", "height over drop after bounce " + std::to_string(bounce), height, theory, 5e-3);
+            report.compare("bouncing", "height over drop after bounce " + std::to_string(bounce), height, theory, 2e-3);
             report.plot("Bouncing", "bounce", "height over drop", "e 0.8", bounce, height, theory);
         }
         before = speed;
@@ -94,7 +94,7 @@ void stackedSpheres(Report& report)
         }
     }
     const double swing = (start - rest).cwiseAbs().maxCoeff();
-    report.compare("bouncing", "stacked largest deviation over amplitude (10 periods)", worst / swing, 0, 5e-3, 1);
+    report.compare("bouncing", "stacked largest deviation over amplitude (10 periods)", worst / swing, 0, 2e-3, 1);
 }
 
 } // namespace

@@ -98,7 +98,7 @@ void grazing(Report& report)
                     // The line falls as the square of the step from the first point.
                     report.plot("Largest gain in grazing impacts", "time step over stable step", "E after/E before - 1", name, 0.2 / finer, gain, first / (finer * finer));
                 }
-                report.compare("grazing", "largest gain " + name, std::max(0.0, gain), 0, 1e-3, 1);
+                report.compare("grazing", "largest gain " + name, std::max(0.0, gain), 0, 1e-5, 1);
             }
         }
     }

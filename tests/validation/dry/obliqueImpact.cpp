@@ -82,12 +82,14 @@ void kharaz(Report& report)
     {
         const test::Impact found = impactAt(linearOfKharaz(1, 0.092), degrees);
         const double rebound = std::atan2(found.tangential, found.normal) * 180 / M_PI;
-        report.compare("oblique", "Kharaz rebound [deg] at " + std::to_string(static_cast<int>(degrees)), rebound, theory, 2e-3, 45);
+        report.compare("oblique", "Kharaz rebound [deg; error over 45] at " + std::to_string(static_cast<int>(degrees)), rebound, theory, 2e-3, 45);
         report.plot("Kharaz", "angle of impact [deg]", "angle of rebound [deg]", "linear", degrees, rebound, theory);
     }
 }
 
 /// The whole engine: a disk slips on a wall; like test 4 with a disk's inertia, spin 2 mu (1 + e) v_n/r.
+/// That is for a hard contact: the engine's force acts in the middle of the overlap d, at the arm r - d/2, so at 1 MN/m the spin
+/// is 0.2 % less. Here d/r < 1e-3.
 void diskOnWall(Report& report)
 {
     constexpr double radius = 0.01;
@@ -96,15 +98,17 @@ void diskOnWall(Report& report)
     {
         const double angle = degrees * M_PI / 180;
         WorldSettings settings = linearScene(Circle(radius), 0.8, friction);
+        settings.linear().normalStiffness = 1e8;
+        settings.linear().tangentialStiffness = 1e8;
         settings.walls = {floorWall()};
         settings.grains = {grainAt(Vector2(0, radius), 0.1 * Vector2(std::sin(angle), -std::cos(angle)))};
         World world(settings);
-        const double duration = M_PI * std::sqrt(massOf(world) / 1e6);
+        const double duration = M_PI * std::sqrt(massOf(world) / 1e8);
         advanceTo(world, 2 * duration, duration / 6400);
         const double spin = 2 * friction * 1.8 * 0.1 * std::cos(angle) / radius;
         const double ratio = world.bodies().velocity[0].x() / (0.1 * std::sin(angle));
-        report.compare("oblique", "disk on wall tangential restitution at " + std::to_string(degrees), ratio, 1 - friction * 1.8 / std::tan(angle), 2e-3);
-        report.compare("oblique", "disk on wall spin [rad/s] at " + std::to_string(degrees), std::abs(world.bodies().angularVelocity[0]), spin, 2e-3);
+        report.compare("oblique", "disk on wall tangential restitution at " + std::to_string(degrees), ratio, 1 - friction * 1.8 / std::tan(angle), 1e-3);
+        report.compare("oblique", "disk on wall spin [rad/s] at " + std::to_string(degrees), std::abs(world.bodies().angularVelocity[0]), spin, 1e-3);
     }
 }
 

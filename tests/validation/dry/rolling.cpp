@@ -30,8 +30,8 @@ void rolling(Report& report)
         }
         const double distance = 0.75 * speed * speed / (friction * gravity);
         const std::string tail = " mu_r " + std::to_string(friction).substr(0, 4);
-        report.compare("rolling", "distance [m]" + tail, world.bodies().pose[0].position.x(), distance, 5e-3);
-        report.compare("rolling", "time [s]" + tail, world.time(), 1.5 * speed / (friction * gravity), 5e-3);
+        report.compare("rolling", "distance [m]" + tail, world.bodies().pose[0].position.x(), distance, 5e-4);
+        report.compare("rolling", "time [s]" + tail, world.time(), 1.5 * speed / (friction * gravity), 5e-4);
         report.plot("Rolling to rest", "rolling friction", "distance [m]", "disk", friction, world.bodies().pose[0].position.x(), distance);
     }
 }
