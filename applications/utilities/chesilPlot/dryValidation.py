@@ -29,7 +29,8 @@ def drawPanel(axes, name, rows):
         x = [point["x"] for point in points]
         axes.plot(x, [point["theory"] for point in points], color=colour, linewidth=0.9, zorder=2)
         axes.plot(x, [point["computed"] for point in points], marker, color=colour, fillstyle="full" if number < len(colours) else "none",
-                  label=label, zorder=3, markersize=3.6)
+                  label=label, zorder=3,
+                  markersize=3.6 if len(series) > 4 else 5 - 1.2 * number)
     if name in LOGARITHMIC:
         axes.loglog()
     axes.set_title(name)
@@ -40,7 +41,10 @@ def drawPanel(axes, name, rows):
     if len(series) > 4:
         axes.legend(fontsize=6.5, loc="center left", bbox_to_anchor=(1.0, 0.5), handletextpad=0.2)
     elif len(series) > 1:
-        axes.legend(fontsize=7.5, handletextpad=0.2)
+        # Above all points, in room made for it.
+        low, high = axes.get_ylim()
+        axes.set_ylim(low, high * 3 if name in LOGARITHMIC else high + 0.15 * (high - low))
+        axes.legend(fontsize=7, loc="upper left", ncol=len(series), handletextpad=0, columnspacing=0.6, borderaxespad=0.1)
 
 
 def draw(options):

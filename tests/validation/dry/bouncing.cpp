@@ -89,7 +89,7 @@ void stackedSpheres(Report& report)
             worst = std::max(worst, std::abs(height - theory[static_cast<Eigen::Index>(grain)]));
             if (step % 40 == 0 && world.time() < end / 5)
             {
-                report.plot("Stacked spheres", "time [ms]", "height less start [um]", grain ? "upper" : "lower", 1e3 * world.time(), 1e6 * (height - start[static_cast<Eigen::Index>(grain)]), 1e6 * (theory[static_cast<Eigen::Index>(grain)] - start[static_cast<Eigen::Index>(grain)]));
+                report.plot("Stacked spheres", "time [ms]", "height less start [µm]", grain ? "upper" : "lower", 1e3 * world.time(), 1e6 * (height - start[static_cast<Eigen::Index>(grain)]), 1e6 * (theory[static_cast<Eigen::Index>(grain)] - start[static_cast<Eigen::Index>(grain)]));
             }
         }
     }

@@ -59,7 +59,7 @@ Outcome headOn(const Shape& shape, double restitution, int steps)
 void impact(Report& report)
 {
     const std::vector<NamedShape> shapes{
-        {"disk", Circle(0.01)}, {"ellipse 2:1", Ellipse(0.02, 0.01)}, {"polybezier of 10", PolyBezier(test::ellipseSegments(10, 0.02, 0.01))}};
+        {"disk", Circle(0.01)}, {"ellipse 2:1", Ellipse(0.02, 0.01)}, {"polybezier", PolyBezier(test::ellipseSegments(10, 0.02, 0.01))}};
     for (const NamedShape& shape : shapes)
     {
         for (int tenth = 1; tenth <= 10; ++tenth)
