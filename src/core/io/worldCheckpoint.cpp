@@ -156,6 +156,7 @@ void addState(CheckpointWriter& writer, const WorldState& state)
     addContacts(writer, state.contacts);
     writer.add("springs", state.springs);
     writer.add("turns", state.turns);
+    writer.add("radii", state.radii);
     addWalls(writer, state);
     writer.add("cell", flat(state.cell));
     addLedger(writer, state.ledger);
@@ -180,6 +181,7 @@ WorldState takeState(CheckpointReader& reader)
     state.contacts = takeContacts(reader);
     state.springs = reader.take<double>("springs");
     state.turns = reader.take<double>("turns");
+    state.radii = reader.take<double>("radii");
     state.wallPoints = takeVectors(reader, "wallPoints");
     state.wallPointsAtSearch = takeVectors(reader, "wallPointsAtSearch");
     state.wallStates = takeWallStates(reader);

@@ -48,8 +48,10 @@ void ContactList::add(std::int32_t first, std::int32_t second, bool flat, NearSh
     }
 }
 
-void ContactList::resume(std::vector<Contact<2>> contacts, std::vector<double> springs, std::vector<double> turns)
+void ContactList::resume(
+    std::vector<Contact<2>> contacts, std::vector<double> springs, std::vector<double> turns, std::vector<double> radii)
 {
+    radii_ = std::move(radii);
     contacts_ = std::move(contacts);
     springs_ = std::move(springs);
     turns_ = std::move(turns);
@@ -106,6 +108,10 @@ void ContactList::move(std::size_t from, std::size_t to)
     {
         turns_[to] = turns_[from];
     }
+    if (withRadii_)
+    {
+        radii_[to] = radii_[from];
+    }
 }
 
 void ContactList::resize(std::size_t size)
@@ -118,12 +124,13 @@ void ContactList::resize(std::size_t size)
     resized(contacts_, size);
     resized(springs_, withSprings_ ? size : 0);
     resized(turns_, withTurns_ ? size : 0);
+    resized(radii_, withRadii_ ? size : 0);
 }
 
 std::size_t ContactList::bytes() const
 {
     const auto of = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
-    return of(contacts_) + of(springs_) + of(turns_) + of(coming_);
+    return of(contacts_) + of(springs_) + of(turns_) + of(radii_) + of(coming_);
 }
 
 } // namespace chesil

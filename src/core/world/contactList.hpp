@@ -13,8 +13,11 @@ namespace chesil
 class ContactList
 {
 public:
-    /// What entries carry beyond Contact: springs of friction and of rolling resistance.
-    ContactList(bool withSprings, bool withTurns) : withSprings_(withSprings), withTurns_(withTurns) {}
+    /// What entries carry beyond Contact: springs of friction and of rolling resistance, radii at the touch.
+    ContactList(bool withSprings, bool withTurns, bool withRadii)
+    : withSprings_(withSprings), withTurns_(withTurns), withRadii_(withRadii)
+    {
+    }
 
     std::vector<Contact<2>>& contacts() { return contacts_; }
     const std::vector<Contact<2>>& contacts() const { return contacts_; }
@@ -25,6 +28,10 @@ public:
 
     /// Entry i's elastic relative rotation [rad]; empty without rolling resistance.
     const std::vector<double>& turns() const { return turns_; }
+
+    /// Entry i's effective radius of curvature when it began to touch [m]; empty if the law does not use it.
+    const std::vector<double>& radii() const { return radii_; }
+    double& radiusOf(std::size_t entry) { return radii_[entry]; }
 
     /// Null without friction.
     double* springOf(std::size_t entry) { return withSprings_ ? &springs_[entry] : nullptr; }
@@ -48,7 +55,8 @@ public:
     void carryOver();
 
     /// Goes on from entries written earlier; springs that they lack are at rest.
-    void resume(std::vector<Contact<2>> contacts, std::vector<double> springs, std::vector<double> turns);
+    void resume(
+        std::vector<Contact<2>> contacts, std::vector<double> springs, std::vector<double> turns, std::vector<double> radii);
 
     /// Memory held [bytes].
     std::size_t bytes() const;
@@ -60,9 +68,11 @@ private:
 
     bool withSprings_;
     bool withTurns_;
+    bool withRadii_;
     std::vector<Contact<2>> contacts_;
     std::vector<double> springs_;
     std::vector<double> turns_;
+    std::vector<double> radii_;
     std::vector<ContactKey> coming_;
 };
 

@@ -33,6 +33,11 @@ bool isFrictional(const ContactLaws& laws)
     return anyLaw(laws, [](const auto& law) { return law.frictional(); });
 }
 
+bool useCurvature(const ContactLaws& laws)
+{
+    return anyLaw(laws, [](const auto& law) { return std::decay_t<decltype(law)>::usesCurvature; });
+}
+
 bool resistsRolling(const ContactLaws& laws)
 {
     return anyLaw(laws, [](const auto& law) { return law.rollingFriction > 0; });
@@ -60,7 +65,7 @@ std::string describe(StepStatus status, std::size_t brokenGrain)
 World::World(WorldSettings settings)
 : settings_(std::move(settings)),
   cell_(settings_.cell),
-  list_(isFrictional(settings_.contact), resistsRolling(settings_.contact)),
+  list_(isFrictional(settings_.contact), resistsRolling(settings_.contact), useCurvature(settings_.contact)),
   walls_(settings_.walls)
 {
     for (const NamedShape& named : settings_.shapes)

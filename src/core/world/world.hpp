@@ -185,7 +185,7 @@ private:
     template <class Law>
     void release(const Law& law, std::size_t index);
     template <class Law>
-    ContactState<2> stateAtRest(const Contact<2>& contact) const;
+    ContactState<2> stateAtRest(std::size_t index) const;
     template <class Law>
     double energyOf(const Law& law, std::size_t index) const;
     /// Of the tangential spring and that of rolling resistance [J]: what is lost when the contact ends.

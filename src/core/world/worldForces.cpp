@@ -337,7 +337,10 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     ContactState<2> state{contact.depth, contact.normal, relative, effectiveMass, 0, previousDepth};
     if constexpr (Law::usesCurvature)
     {
-        state.effectiveRadius = effectiveRadius(contact);
+        // Held while they touch, so that the force has a potential: a radius that changed on the way would make energy.
+        double& radius = list_.radiusOf(index);
+        radius = previousDepth > 0 && radius > 0 ? radius : effectiveRadius(contact);
+        state.effectiveRadius = radius;
     }
     double* loss = ledger_ ? &ledger_->contacts : nullptr;
     const ContactForce<2> result = contactForce(law, state, timeStep, list_.springOf(index), loss);
@@ -419,12 +422,12 @@ double World::contactEnergy() const
 }
 
 template <class Law>
-ContactState<2> World::stateAtRest(const Contact<2>& contact) const
+ContactState<2> World::stateAtRest(std::size_t index) const
 {
-    ContactState<2> state{contact.depth, contact.normal, Vector2::Zero(), 0};
+    ContactState<2> state{contacts()[index].depth, contacts()[index].normal, Vector2::Zero(), 0};
     if constexpr (Law::usesCurvature)
     {
-        state.effectiveRadius = effectiveRadius(contact);
+        state.effectiveRadius = list_.radii()[index];
     }
     return state;
 }
@@ -432,14 +435,14 @@ ContactState<2> World::stateAtRest(const Contact<2>& contact) const
 template <class Law>
 double World::energyOf(const Law& law, std::size_t index) const
 {
-    const ContactState<2> state = stateAtRest<Law>(contacts()[index]);
+    const ContactState<2> state = stateAtRest<Law>(index);
     return elasticEnergy(law, state, 0.0) + springEnergyOf(law, index);
 }
 
 template <class Law>
 double World::springEnergyOf(const Law& law, std::size_t index) const
 {
-    const ContactSprings stiffness = law.springs(stateAtRest<Law>(contacts()[index]));
+    const ContactSprings stiffness = law.springs(stateAtRest<Law>(index));
     double energy = springs().empty() ? 0 : 0.5 * stiffness.tangentialStiffness * springs()[index] * springs()[index];
     if (const std::vector<double>& turns = list_.turns(); !turns.empty())
     {

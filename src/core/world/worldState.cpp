@@ -53,6 +53,7 @@ WorldState World::state() const
     state.contacts = list_.contacts();
     state.springs = list_.springs();
     state.turns = list_.turns();
+    state.radii = list_.radii();
     for (const PlaneWall<2>& wall : walls())
     {
         state.wallPoints.push_back(wall.point);
@@ -97,7 +98,7 @@ void World::resume(WorldState state)
     bodies_.torque = std::move(state.torque);
     positionsAtSearch_ = std::move(state.positionsAtSearch);
     anglesAtSearch_ = std::move(state.anglesAtSearch);
-    list_.resume(std::move(state.contacts), std::move(state.springs), std::move(state.turns));
+    list_.resume(std::move(state.contacts), std::move(state.springs), std::move(state.turns), std::move(state.radii));
     walls_.resume(state.wallPoints, state.wallPointsAtSearch, std::move(state.wallStates));
     if (cell_)
     {

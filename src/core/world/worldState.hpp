@@ -33,6 +33,8 @@ struct WorldState
     /// Empty without friction; without rolling resistance.
     std::vector<double> springs;
     std::vector<double> turns;
+    /// Empty unless the law uses curvature.
+    std::vector<double> radii;
     std::vector<Vector2> wallPoints;
     std::vector<Vector2> wallPointsAtSearch;
     std::vector<WallState> wallStates;
