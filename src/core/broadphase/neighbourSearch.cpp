@@ -14,7 +14,7 @@ constexpr double roundingSlack = 1 + 1e-12;
 
 } // namespace
 
-const std::vector<NeighbourPair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
+std::vector<PairKey>& NeighbourSearch::find(const std::vector<Vector2>& positions,
                                                                 const std::vector<Vector2>& halfExtents,
                                                                 const std::vector<double>& radii,
                                                                 double margin)
@@ -23,7 +23,7 @@ const std::vector<NeighbourPair>& NeighbourSearch::find(const std::vector<Vector
     return findAll<false>(positions.size());
 }
 
-const std::vector<NeighbourPair>& NeighbourSearch::find(const std::vector<Vector2>& positions,
+std::vector<PairKey>& NeighbourSearch::find(const std::vector<Vector2>& positions,
                                                                 const std::vector<Vector2>& halfExtents,
                                                                 const std::vector<double>& radii,
                                                                 double margin, const PeriodicCell& cell)
@@ -39,7 +39,7 @@ std::size_t NeighbourSearch::bytes() const
 }
 
 template <bool images>
-const std::vector<NeighbourPair>& NeighbourSearch::findAll(std::size_t grains)
+std::vector<PairKey>& NeighbourSearch::findAll(std::size_t grains)
 {
     count_ = 0;
     const std::vector<Level>& levels = grids_.levels();
@@ -111,7 +111,7 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
         found_.reserve(most + most / 4);
         found_.resize(most + most / 4);
     }
-    NeighbourPair* next = found_.data() + count_;
+    PairKey* next = found_.data() + count_;
     for (const Entry* other = grids_.entries().data() + begin; other != grids_.entries().data() + end;
          ++other)
     {
@@ -163,7 +163,7 @@ void NeighbourSearch::order(std::size_t grains)
     for (std::size_t i = 0; i < grains; ++i)
     {
         const auto end = pairs_.begin() + static_cast<std::ptrdiff_t>(firstOf_[i]);
-        std::sort(begin, end, [](const NeighbourPair& a, const NeighbourPair& b) { return a.second < b.second; });
+        std::sort(begin, end, [](const PairKey& a, const PairKey& b) { return a.second < b.second; });
         begin = end;
     }
 }

@@ -43,18 +43,20 @@ template <class Law, int Dim>
     const double approach = contact.relativeVelocity.dot(contact.normal);
     const double dashpot = 2 * Law::dampingFactor * law.dampingRatio;
     const double attraction = law.attraction(contact);
-    const bool damped = dashpot > 0 && contact.effectiveMass > 0;
-    const double damping = damped ? dashpot * std::sqrt(contact.effectiveMass * springs.normalStiffness) : 0;
-    const double slowing = damped ? timeStep / (2 * contact.effectiveMass) : 0;
+    const bool damped = dashpot > 0 && contact.inverseMass > 0;
+    const double mass = damped ? 1 / contact.inverseMass : 0;
+    const double damping = damped ? dashpot * std::sqrt(mass * springs.normalStiffness) : 0;
     double pressing = springs.normalForce;
     if (damped)
     {
-        pressing += damping * (begun<Law>(contact, approach * timeStep) * approach + slowing * attraction);
-        pressing = std::max(0.0, pressing / (1 + damping * slowing));
+        const double held = damping * contact.inverseMass * timeStep / 2;
+        pressing += damping * begun<Law>(contact, approach * timeStep) * approach + held * attraction;
+        pressing = std::max(0.0, pressing / (1 + held));
     }
     const Vector<Dim> normalPart = (attraction - pressing) * contact.normal;
     if (loss)
     {
+        const double slowing = damped ? timeStep / 2 * contact.inverseMass : 0;
         *loss += timeStep * (pressing - springs.normalForce) * (approach - slowing * (pressing - attraction));
     }
     if (!spring)
@@ -74,7 +76,7 @@ template <class Law, int Dim>
     const Tangential<Dim> unslipped = scale * stretch + way;
     stretch = unslipped;
 
-    const double tangentialDamping = damped ? dashpot * std::sqrt(contact.effectiveMass * springs.tangentialStiffness) : 0;
+    const double tangentialDamping = damped ? dashpot * std::sqrt(mass * springs.tangentialStiffness) : 0;
     Tangential<Dim> tangentialForce = -springs.tangentialStiffness * stretch - tangentialDamping * slip;
     const double size = Plane::norm(tangentialForce);
     const double most = law.friction * pressing;

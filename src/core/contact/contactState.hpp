@@ -14,8 +14,8 @@ struct ContactState
     Vector<Dim> normal;
     /// Velocity of the first body less that of the second, at the contact point [m/s].
     Vector<Dim> relativeVelocity;
-    /// m1 m2/(m1 + m2) [kg].
-    double effectiveMass;
+    /// 1/m1 + 1/m2 [1/kg]; 0: neither moves by forces, and nothing is damped.
+    double inverseMass;
     /// 1/(1/r1 + 1/r2) of the radii of curvature [m]; for laws that say usesCurvature.
     double effectiveRadius = 0;
     /// Depth one step ago [m], 0 if there was no contact.

@@ -33,21 +33,6 @@ void ContactList::release(std::size_t entry)
     }
 }
 
-void ContactList::restart(std::size_t expected)
-{
-    coming_.clear();
-    fit(coming_, expected);
-}
-
-void ContactList::add(std::int32_t first, std::int32_t second, bool flat, NearShift shift)
-{
-    coming_.push_back({first, second, 0, shift});
-    if (flat)
-    {
-        coming_.push_back({first, second, 1, shift});
-    }
-}
-
 void ContactList::resume(
     std::vector<Contact<2>> contacts, std::vector<double> springs, std::vector<double> turns, std::vector<double> radii)
 {
@@ -60,13 +45,13 @@ void ContactList::resume(
 
 /// Entries that go on move to the front, then, from the last one on, to their new places: never before one that has
 /// still to be moved, since both lists are sorted by key.
-void ContactList::carryOver()
+void ContactList::renew(const std::vector<PairKey>& coming)
 {
-    std::size_t kept = keepWhatComes();
-    resize(coming_.size());
-    for (std::size_t entry = coming_.size(); entry-- > 0;)
+    std::size_t kept = keepWhatComes(coming);
+    resize(coming.size());
+    for (std::size_t entry = coming.size(); entry-- > 0;)
     {
-        if (kept > 0 && contacts_[kept - 1].key() == coming_[entry])
+        if (kept > 0 && contacts_[kept - 1].key() == coming[entry])
         {
             move(--kept, entry);
         }
@@ -75,21 +60,21 @@ void ContactList::carryOver()
             contacts_[entry] = {};
             release(entry);
         }
-        static_cast<ContactKey&>(contacts_[entry]) = coming_[entry];
+        static_cast<PairKey&>(contacts_[entry]) = coming[entry];
     }
 }
 
-std::size_t ContactList::keepWhatComes()
+std::size_t ContactList::keepWhatComes(const std::vector<PairKey>& coming)
 {
     std::size_t kept = 0;
-    auto next = coming_.begin();
+    auto next = coming.begin();
     for (std::size_t old = 0; old < contacts_.size(); ++old)
     {
-        while (next != coming_.end() && *next < contacts_[old].key())
+        while (next != coming.end() && *next < contacts_[old].key())
         {
             ++next;
         }
-        if (next != coming_.end() && *next == contacts_[old].key())
+        if (next != coming.end() && *next == contacts_[old].key())
         {
             move(old, kept++);
         }
@@ -130,7 +115,7 @@ void ContactList::resize(std::size_t size)
 std::size_t ContactList::bytes() const
 {
     const auto of = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
-    return of(contacts_) + of(springs_) + of(turns_) + of(radii_) + of(coming_);
+    return of(contacts_) + of(springs_) + of(turns_) + of(radii_);
 }
 
 } // namespace chesil

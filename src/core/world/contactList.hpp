@@ -47,12 +47,8 @@ public:
     /// No contact: nothing is carried but where to look next.
     void release(std::size_t entry);
 
-    /// Begins a new list; `add` in the order above, then `carryOver`. The old list stands until then.
-    void restart(std::size_t expected);
-    void add(std::int32_t first, std::int32_t second, bool flat, NearShift shift = {});
-
-    /// Pairs that were in the old list keep what they carry. Done in place.
-    void carryOver();
+    /// A new list, sorted; pairs that were in the old one keep what they carry. Done in place.
+    void renew(const std::vector<PairKey>& coming);
 
     /// Goes on from entries written earlier; springs that they lack are at rest.
     void resume(
@@ -62,7 +58,7 @@ public:
     std::size_t bytes() const;
 
 private:
-    std::size_t keepWhatComes();
+    std::size_t keepWhatComes(const std::vector<PairKey>& coming);
     void move(std::size_t from, std::size_t to);
     void resize(std::size_t size);
 
@@ -73,7 +69,6 @@ private:
     std::vector<double> springs_;
     std::vector<double> turns_;
     std::vector<double> radii_;
-    std::vector<ContactKey> coming_;
 };
 
 } // namespace chesil

@@ -86,7 +86,9 @@ World::World(WorldSettings settings)
     if (!radii.empty())
     {
         const auto [least, most] = std::minmax_element(radii.begin(), radii.end());
-        skin_ = std::min(skinShare * *least, mostTravel(*std::min_element(innerRadii_.begin(), innerRadii_.end())));
+        const double leastInner = *std::min_element(innerRadii_.begin(), innerRadii_.end());
+        skin_ = std::min(skinShare * *least, mostTravel(leastInner));
+        shallow_ = mostDepth(leastInner, 2 * mostTravel(leastInner));
         largestReach_ = 2 * *most + skin_;
     }
 }

@@ -147,6 +147,7 @@ private:
     void findNeighbours();
     void noteBoxes();
     void findContacts();
+    std::vector<PairKey> withBothPlaces(const std::vector<PairKey>& pairs) const;
     double mostMovement() const;
     bool neighboursAreStale() const;
     template <bool periodic>
@@ -175,10 +176,10 @@ private:
     template <bool periodic>
     bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
     template <bool periodic, class Law>
-    void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, double massShare = 1);
+    void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, int places = 1);
     void noteDepth(const Contact<2>& contact, double way);
     template <bool periodic, class Law>
-    void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, double massShare);
+    void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, int places);
     double effectiveRadius(const Contact<2>& contact) const;
     double rollingRadius(const Contact<2>& contact) const;
     void noteStiffness(std::size_t i, std::size_t j, const ContactSprings& springs);
@@ -232,6 +233,8 @@ private:
     WallStates walls_;
     double time_ = 0;
     std::optional<EnergyLedger> ledger_;
+    /// No contact that is less deep can be about to pass through [m].
+    double shallow_ = 0;
     bool tooDeep_ = false;
     /// A position was no finite number at the last search.
     bool lost_ = false;

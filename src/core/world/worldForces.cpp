@@ -128,9 +128,9 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
             std::swap(*spring, *list_.springOf(index + 1));
         }
         // Each place damps half of the mass, if there are two: together they give the restitution that was asked.
-        const double massShare = places[0].depth > 0 && places[1].depth > 0 ? 0.5 : 1;
-        load<periodic>(law, index, places[0], timeStep, massShare);
-        load<periodic>(law, index + 1, places[1], timeStep, massShare);
+        const int loaded = places[0].depth > 0 && places[1].depth > 0 ? 2 : 1;
+        load<periodic>(law, index, places[0], timeStep, loaded);
+        load<periodic>(law, index + 1, places[1], timeStep, loaded);
         return;
     }
     load<periodic>(law, index, found, timeStep);
@@ -155,7 +155,7 @@ void World::release(const Law& law, std::size_t index)
 }
 
 template <bool periodic, class Law>
-void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, double massShare)
+void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, int places)
 {
     if (!(geometry.depth > 0))
     {
@@ -167,7 +167,7 @@ void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& ge
     contact.depth = geometry.depth;
     contact.normal = geometry.normal;
     contact.point = geometry.point;
-    loadBodies<periodic>(law, index, previousDepth, timeStep, massShare);
+    loadBodies<periodic>(law, index, previousDepth, timeStep, places);
 }
 
 template <bool periodic>
@@ -299,7 +299,7 @@ double World::rollingRadius(const Contact<2>& contact) const
 }
 
 template <bool periodic, class Law>
-void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, double massShare)
+void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, int places)
 {
     Contact<2>& contact = list_.contacts()[index];
     const auto i = static_cast<std::size_t>(contact.first);
@@ -328,13 +328,11 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
         relativeSpin -= bodies_.angularVelocity[j];
         inverseMass += bodies_.inverseMass[j];
     }
-    if (contact.depth > previousDepth)
+    if (contact.depth > shallow_ && contact.depth > previousDepth)
     {
         noteDepth(contact, timeStep * relative.norm());
     }
-    // Two driven bodies feel no force; any mass does.
-    const double effectiveMass = inverseMass > 0 ? massShare / inverseMass : 0;
-    ContactState<2> state{contact.depth, contact.normal, relative, effectiveMass, 0, previousDepth};
+    ContactState<2> state{contact.depth, contact.normal, relative, places * inverseMass, 0, previousDepth};
     if constexpr (Law::usesCurvature)
     {
         // Held while they touch, so that the force has a potential: a radius that changed on the way would make energy.

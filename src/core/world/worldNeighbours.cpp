@@ -118,26 +118,45 @@ void World::noteBoxes()
 
 void World::findContacts()
 {
-    const std::vector<NeighbourPair>& pairs = cell_
-        ? search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_, cell_->cell)
-        : search_.find(positionsAtSearch_, halfExtents_, bodies_.boundingRadius, skin_);
-    list_.restart(pairs.size());
-    for (const auto& [first, second, shift] : pairs)
-    {
-        const bool flat = isStraightSided(static_cast<std::size_t>(first)) && isStraightSided(static_cast<std::size_t>(second));
-        list_.add(first, second, flat, shift);
-    }
+    const std::vector<double>& radii = bodies_.boundingRadius;
+    std::vector<PairKey>& pairs = cell_ ? search_.find(positionsAtSearch_, halfExtents_, radii, skin_, cell_->cell)
+                                        : search_.find(positionsAtSearch_, halfExtents_, radii, skin_);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
-        for (std::size_t w = walls_.walls().size(); w-- > 0;)
+        for (std::size_t w = walls().size(); w-- > 0;)
         {
-            if (nearestTo(walls()[w], positionsAtSearch_[i]) <= bodies_.boundingRadius[i] + walls_.halfThickness(w) + skin_)
+            if (nearestTo(walls()[w], positionsAtSearch_[i]) <= radii[i] + walls_.halfThickness(w) + skin_)
             {
-                list_.add(static_cast<std::int32_t>(i), Contact<2>::wallAsSecond(w), isStraightSided(i));
+                pairs.push_back({static_cast<std::int32_t>(i), PairKey::wallAsSecond(w)});
             }
         }
     }
-    list_.carryOver();
+    if (std::find(straightSided_.begin(), straightSided_.end(), true) != straightSided_.end())
+    {
+        list_.renew(withBothPlaces(pairs));
+    }
+    else
+    {
+        list_.renew(pairs);
+    }
+}
+
+/// Pairs with straight sides on both may touch at two places.
+std::vector<PairKey> World::withBothPlaces(const std::vector<PairKey>& pairs) const
+{
+    std::vector<PairKey> places;
+    places.reserve(2 * pairs.size());
+    for (const PairKey& pair : pairs)
+    {
+        places.push_back(pair);
+        if (isStraightSided(static_cast<std::size_t>(pair.first))
+            && (pair.withWall() || isStraightSided(static_cast<std::size_t>(pair.second))))
+        {
+            places.push_back(pair);
+            places.back().place = 1;
+        }
+    }
+    return places;
 }
 
 } // namespace chesil

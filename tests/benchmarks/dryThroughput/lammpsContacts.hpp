@@ -63,7 +63,7 @@ inline double contactsAGrain(const DumpedPolygons& polygons)
     }
     NeighbourSearch search;
     double ends = 0;
-    for (const NeighbourPair& pair : search.find(centres, {}, radii, 2 * lammpsRounding, cell))
+    for (const PairKey& pair : search.find(centres, {}, radii, 2 * lammpsRounding, cell))
     {
         const auto i = static_cast<std::size_t>(pair.first);
         const auto j = static_cast<std::size_t>(pair.second);

@@ -53,7 +53,7 @@ Impact impactOf(const Law& law, const Sphere& sphere, double effectiveRadius, do
         if (depth > 0)
         {
             const Vector2 atContact = velocity + spin * sphere.radius * Vector2(1, 0);
-            ContactState<2> state{depth, down, atContact, effectiveMass, effectiveRadius, before};
+            ContactState<2> state{depth, down, atContact, 1 / effectiveMass, effectiveRadius, before};
             force = contactForce(law, state, timeStep, law.frictional() ? &spring : nullptr).force;
             torque = force.x() * sphere.radius;
             result.duration += timeStep;

@@ -34,7 +34,7 @@ double reboundOf(double dampingRatio, double mass1, double mass2, int steps)
         velocity1 -= timeStep / 2 * force / mass1;
         velocity2 += timeStep / 2 * force / mass2;
         overlap += timeStep * (velocity1 - velocity2);
-        const ContactState<2> state{overlap, Vector2(1, 0), Vector2(velocity1 - velocity2, 0), effectiveMass};
+        const ContactState<2> state{overlap, Vector2(1, 0), Vector2(velocity1 - velocity2, 0), 1 / effectiveMass};
         force = overlap > 0 ? -contactForce<LinearLaw, 2>(law, state, timeStep, nullptr).force.x() : 0;
         velocity1 -= timeStep / 2 * force / mass1;
         velocity2 += timeStep / 2 * force / mass2;
@@ -91,7 +91,7 @@ TEST(LinearLaw, normalForceIsTheSpringsAndNeverAttracts)
     {
         const Vector2 normal = random.direction();
         const Vector2 velocity = random.logUniform(1e-6, 1e2) * random.direction();
-        const ContactState<2> state{random.logUniform(1e-12, 1e-3), normal, velocity, 0.3};
+        const ContactState<2> state{random.logUniform(1e-12, 1e-3), normal, velocity, 1 / 0.3};
         const double damping = 2 * 0.5 * std::sqrt(0.3 * stiffness);
         const Vector2 force = contactForce<LinearLaw, 2>(law, state, 0, nullptr).force;
         const double expected = std::max(0.0, stiffness * state.depth + damping * velocity.dot(normal));
@@ -134,7 +134,7 @@ TEST(LinearLaw, coulombsLimitHoldsWhateverTheState)
         const Vector2 normal = random.direction();
         double spring = random.uniform(-1, 1) * random.logUniform(1e-9, 1e-3);
         const ContactState<2> state{random.logUniform(1e-9, 1e-3), normal,
-                                    random.logUniform(1e-6, 1) * random.direction(), 0.7};
+                                    random.logUniform(1e-6, 1) * random.direction(), 1 / 0.7};
         const double before = std::abs(spring);
         const Vector2 force = contactForce(law, state, 1e-5, &spring).force;
         const double normalForce = -force.dot(normal);
@@ -194,7 +194,7 @@ TEST(LinearLaw, aBlockOnAnInclineSticksBelowTheFrictionAngleAndSlidesAbove)
         {
             velocity += timeStep / 2 / mass * force;
             position += timeStep * velocity;
-            force = weight + contactForce(law, ContactState<2>{-position.y(), normal, velocity, mass},
+            force = weight + contactForce(law, ContactState<2>{-position.y(), normal, velocity, 1 / mass},
                                           timeStep, &spring).force;
             velocity += timeStep / 2 / mass * force;
         }

@@ -38,7 +38,7 @@ double deepest(const HertzMindlinLaw& law)
 
 double forceAt(const HertzMindlinLaw& law, double depth)
 {
-    const ContactState<2> state{depth, Vector2(0, -1), Vector2::Zero(), mass, radius, depth};
+    const ContactState<2> state{depth, Vector2(0, -1), Vector2::Zero(), 1 / mass, radius, depth};
     return contactForce(law, state, 0, static_cast<double*>(nullptr)).force.y();
 }
 
@@ -67,7 +67,7 @@ Flight flightOf(const HertzMindlinLaw& law, double speed, double pull, double ti
             flight.speed = -inwards;
             return flight;
         }
-        const ContactState<2> state{depth, Vector2(0, -1), Vector2(0, -inwards), mass, radius, before};
+        const ContactState<2> state{depth, Vector2(0, -1), Vector2(0, -inwards), 1 / mass, radius, before};
         force = -contactForce(law, state, timeStep, static_cast<double*>(nullptr)).force.y();
         const double middle = inwards;
         inwards += timeStep / 2 * (force - pull) / mass;
@@ -117,7 +117,7 @@ TEST(PullOff, aSlowPullBelowItHoldsAndOneAboveItDoesNot)
         for (int i = 0; i < 2 * steps && depth > 0; ++i)
         {
             const double pull = share * pullOff(law) * std::min(1.0, i / static_cast<double>(steps));
-            const ContactState<2> state{depth, Vector2(0, -1), Vector2(0, -inwards), mass, radius, depth};
+            const ContactState<2> state{depth, Vector2(0, -1), Vector2(0, -inwards), 1 / mass, radius, depth};
             inwards += timeStep * (-contactForce(law, state, timeStep, static_cast<double*>(nullptr)).force.y() - pull) / mass;
             depth += timeStep * inwards;
         }
@@ -170,7 +170,7 @@ TEST(PullOff, sticksBelowTheSpeedThatTheDashpotsTake)
 TEST(PullOff, itsEnergyIsItsForceTimesTheDepth)
 {
     const HertzMindlinLaw law = stickyLaw();
-    const ContactState<2> state{2e-6, Vector2(0, -1), Vector2::Zero(), mass, radius, 2e-6};
+    const ContactState<2> state{2e-6, Vector2(0, -1), Vector2::Zero(), 1 / mass, radius, 2e-6};
     HertzMindlinLaw dry = law;
     dry.workOfAdhesion = 0;
     EXPECT_NEAR(elasticEnergy(law, state, 0.0) - elasticEnergy(dry, state, 0.0), -pullOff(law) * 2e-6, 1e-18);

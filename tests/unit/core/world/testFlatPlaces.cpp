@@ -206,7 +206,8 @@ TEST(FlatPlaces, onAWall)
         {
             const Pose<2> pose{Vector2(0.3, 1 - 1e-3), Rotation<2>(angle)};
             ContactGeometry<2> contact{};
-            ASSERT_TRUE(wallContact(tile, pose, wall, contact));
+            SearchStart start;
+            ASSERT_TRUE(wallContact(tile, pose, wall, start, contact));
             Places places;
             ASSERT_TRUE(flatContact(tile, pose, wall, contact, places));
             for (std::size_t k = 0; k < 2; ++k)

@@ -180,12 +180,13 @@ TEST(KnownRoundPairs, anEllipseAndAWall)
         const double depth =
             std::hypot(a * inwards.x(), b * inwards.y()) - (centre - wall.point).dot(normal);
         ContactGeometry<2> contact{};
-        ASSERT_TRUE(wallContact(Ellipse(a, b), pose, wall, contact));
+        SearchStart start;
+        ASSERT_TRUE(wallContact(Ellipse(a, b), pose, wall, start, contact));
         EXPECT_NEAR(contact.depth, depth, 1e-14 * std::max(a, b));
         EXPECT_EQ(contact.normal, Vector2(-normal));
         EXPECT_NEAR(wall.distance(contact.point), -contact.depth / 2, 1e-14);
         const PlaneWall<2> away{"away", centre - (std::max(a, b) + 1e-3) * normal, normal};
-        EXPECT_FALSE(wallContact(Ellipse(a, b), pose, away, contact));
+        EXPECT_FALSE(wallContact(Ellipse(a, b), pose, away, start, contact));
     }
 }
 

@@ -99,14 +99,14 @@ void expectApartAndInside(const Packing& packing, double gap)
         halfExtents.emplace_back(radius, radius);
     }
     NeighbourSearch search;
-    for (const auto& [i, j, shift] : search.find(positions, halfExtents, radii, gap))
+    for (const PairKey& pair : search.find(positions, halfExtents, radii, gap))
     {
-        const GrainState& a = packing.grains[static_cast<std::size_t>(i)];
-        const GrainState& b = packing.grains[static_cast<std::size_t>(j)];
+        const GrainState& a = packing.grains[static_cast<std::size_t>(pair.first)];
+        const GrainState& b = packing.grains[static_cast<std::size_t>(pair.second)];
         const PairDistance found = pairDistance(packing.shapeOf(a), {a.position, Rotation<2>(a.angle)},
                                                 packing.shapeOf(b), {b.position, Rotation<2>(b.angle)});
-        ASSERT_EQ(found.status, PairStatus::separated) << i << ' ' << j;
-        ASSERT_GE(found.distance, gap * (1 - 1e-9)) << i << ' ' << j;
+        ASSERT_EQ(found.status, PairStatus::separated) << pair.first << ' ' << pair.second;
+        ASSERT_GE(found.distance, gap * (1 - 1e-9)) << pair.first << ' ' << pair.second;
     }
 }
 
