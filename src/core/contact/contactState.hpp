@@ -20,6 +20,10 @@ struct ContactState
     double effectiveRadius = 0;
     /// Depth one step ago [m], 0 if there was no contact.
     double previousDepth = 0;
+    /// Of the approach until the step's end [m/s], if forces stayed those of the step before, this contact's normal one,
+    /// repulsive, among them [N].
+    double expectedGain = 0;
+    double previousForce = 0;
 };
 
 /// A contact's elastic part at one instant.

@@ -82,6 +82,10 @@ World::World(WorldSettings settings)
     {
         addBody(grain);
     }
+    if (anyLaw(settings_.contact, [](const auto& law) { return law.dampingRatio > 0; }))
+    {
+        expectedGains_.assign(grains.size(), Vector2::Zero());
+    }
     const std::vector<double>& radii = bodies_.boundingRadius;
     if (!radii.empty())
     {

@@ -232,6 +232,8 @@ private:
     ContactList list_;
     WallStates walls_;
     double time_ = 0;
+    /// Of each grain's velocity until the step's end, if forces stayed as they were [m/s]; empty without dashpots.
+    std::vector<Vector2> expectedGains_;
     std::optional<EnergyLedger> ledger_;
     /// No contact that is less deep can be about to pass through [m].
     double shallow_ = 0;

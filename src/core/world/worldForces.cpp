@@ -333,6 +333,12 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
         noteDepth(contact, timeStep * relative.norm());
     }
     ContactState<2> state{contact.depth, contact.normal, relative, places * inverseMass, 0, previousDepth};
+    if (!expectedGains_.empty() && timeStep > 0)
+    {
+        const Vector2 gain = withWall ? expectedGains_[i] : Vector2(expectedGains_[i] - expectedGains_[j]);
+        state.expectedGain = gain.dot(contact.normal);
+        state.previousForce = -contact.force.dot(contact.normal);
+    }
     if constexpr (Law::usesCurvature)
     {
         // Held while they touch, so that the force has a potential: a radius that changed on the way would make energy.

@@ -63,6 +63,10 @@ bool World::moveGrains(double timeStep)
     const double most = mostMovement();
     bool stale = positionsAtSearch_.size() != bodies_.size() || !(most > 0);
     const std::size_t known = stale ? 0 : bodies_.size();
+    for (std::size_t i = 0; i < expectedGains_.size(); ++i)
+    {
+        expectedGains_[i] = timeStep / 2 * bodies_.inverseMass[i] * bodies_.force[i];
+    }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
         kick(bodies_, i, timeStep / 2);
