@@ -25,8 +25,7 @@ struct DrivenWall
     Vector2 amplitude = Vector2::Zero();
     double frequency = 0;
 
-    /// Over the interval from `time` on [s]: what carries the wall exactly to where the law has it at its end
-    /// [m/s].
+    /// Over the interval from `time` on [s]: what carries the wall exactly to where the law has it at its end [m/s].
     Vector2 velocityOver(double time, double interval) const
     {
         const double turns = 2 * M_PI * frequency;
@@ -47,11 +46,11 @@ struct ServoWall
     /// The pressed length is the distance of these two walls along this one; indices.
     std::size_t between[2] = {noWall, noWall};
 
-    /// Speed along the normal, into the domain [m/s], from the force by which the grains press on the wall,
-    /// the one wanted [N], and the resistance of all its contacts, stiffness times time step plus damping [N
-    /// s/m]; 0: no contact. From speed v to v' the force changes by at most (k dt + c) v' - c v, since the
-    /// grains behind give way, too. With half of the difference in a step the error e follows e'' = e'/2 + b
-    /// e/2, b = c/(k dt + c) < 1: it falls whatever the stiffness, the damping and the number of contacts.
+    /// Speed along the normal, into the domain [m/s], from the force by which the grains press on the wall, the one
+    /// wanted [N], and the resistance of all its contacts, stiffness times time step plus damping [N s/m]; 0: no contact.
+    /// From speed v to v' the force changes by at most (k dt + c) v' - c v, since the grains behind give way, too. With
+    /// half of the difference in a step the error e follows e'' = e'/2 + b e/2, b = c/(k dt + c) < 1: it falls
+    /// whatever the stiffness, the damping and the number of contacts.
     double speedFor(double force, double wanted, double resistance) const
     {
         constexpr double share = 0.5;
@@ -63,8 +62,7 @@ struct ServoWall
     }
 };
 
-/// A wall that takes its half of a strain between it and a wall that faces it, of the distance that they have
-/// at the time.
+/// A wall that takes its half of a strain between it and a wall that faces it, of the distance that they have at the time.
 struct ClosingWall
 {
     /// Of the logarithmic strain, positive where the two approach [1/s].
@@ -72,8 +70,7 @@ struct ClosingWall
     /// The wall that faces it; index.
     std::size_t opposite = ServoWall::noWall;
 
-    /// Along the normal, into the domain [m/s]: if both move so, their distance [m] decays exactly over the
-    /// interval [s].
+    /// Along the normal, into the domain [m/s]: if both move so, their distance [m] decays exactly over the interval [s].
     double speedOver(double distance, double interval) const
     {
         return -distance * std::expm1(-strainRate * interval) / (2 * interval);
@@ -82,6 +79,9 @@ struct ClosingWall
 
 using WallMotion = std::variant<FixedWall, DrivenWall, ServoWall, ClosingWall>;
 
-inline bool moves(const WallMotion& motion) { return !std::holds_alternative<FixedWall>(motion); }
+inline bool moves(const WallMotion& motion)
+{
+    return !std::holds_alternative<FixedWall>(motion);
+}
 
 } // namespace chesil

@@ -126,10 +126,6 @@ chesil::PlaneWall<2> readPlate
         entries.found("thickness")
       ? entries.positive("thickness")
       : 1e-3*(end - start).norm();
-    if (start == end)
-    {
-        entries.fail("end", "the place of start", "another place");
-    }
     try
     {
         return chesil::plateWall(name, start, end, thickness);
