@@ -96,6 +96,14 @@ std::optional<Foam::checkpointedRun> Foam::runCheckpoints::resume
     {
         throw error.at(checkedDictionary::shownFile(*newest.path), "(state)");
     }
+    // A state goes on under the strain that the case asks for now
+    if (const auto& cell = world.settings().cell)
+    {
+        if (world.cell()->velocityGradient != cell->velocityGradient)
+        {
+            world.setVelocityGradient(cell->velocityGradient);
+        }
+    }
     reader.finish();
     Info<< "Goes on from checkpoints/" << fileName(*newest.path).name().c_str()
         << ", step " << run.step << " at " << run.time << " s" << endl;

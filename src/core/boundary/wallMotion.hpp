@@ -62,7 +62,22 @@ struct ServoWall
     }
 };
 
-using WallMotion = std::variant<FixedWall, DrivenWall, ServoWall>;
+/// A wall that takes its half of a strain between it and a wall that faces it, of the distance that they have at the time.
+struct ClosingWall
+{
+    /// Of the logarithmic strain, positive where the two approach [1/s].
+    double strainRate = 0;
+    /// The wall that faces it; index.
+    std::size_t opposite = ServoWall::noWall;
+
+    /// Along the normal, into the domain [m/s]: if both move so, their distance [m] decays exactly over the interval [s].
+    double speedOver(double distance, double interval) const
+    {
+        return -distance * std::expm1(-strainRate * interval) / (2 * interval);
+    }
+};
+
+using WallMotion = std::variant<FixedWall, DrivenWall, ServoWall, ClosingWall>;
 
 inline bool moves(const WallMotion& motion)
 {

@@ -43,6 +43,11 @@ void WallStates::setVelocities(double time, double timeStep)
             const double wanted = servo->pressure * pressedLength(w);
             state.velocity = servo->speedFor(pressing, wanted, state.stiffness * timeStep + state.damping) * walls_[w].normal;
         }
+        else if (const auto* closing = std::get_if<ClosingWall>(&walls_[w].motion))
+        {
+            const double distance = walls_[w].distance(walls_[closing->opposite].point);
+            state.velocity = closing->speedOver(distance, timeStep) * walls_[w].normal;
+        }
     }
 }
 

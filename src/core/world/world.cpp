@@ -58,6 +58,8 @@ std::string describe(StepStatus status, std::size_t brokenGrain)
         return "a contact of " + grain + " is deeper than its law and the time step hold for";
     case StepStatus::tooFast:
         return grain + " is so fast that in one step it could leap over another; a smaller time step is needed";
+    case StepStatus::tooNarrow:
+        return "the periodic cell has become narrower than two of its biggest grains reach";
     }
     return "";
 }

@@ -33,6 +33,8 @@ enum class StepStatus
     /// A grain has moved so far in this step that it may have leapt over another (mostTravel.hpp): the step is refused
     /// before its forces are known. `World::brokenGrain` tells which.
     tooFast,
+    /// The cell is so strained that a pair could meet by two images (NeighbourSearch::find): refused in the same way.
+    tooNarrow,
 };
 
 /// "the state of grain 3 is no finite number", for the statuses that are failures.
@@ -197,6 +199,7 @@ private:
     void addWorks(double timeStep);
     StepStatus brokenState();
     bool leaps(double timeStep);
+    bool cellIsNarrow() const;
     double innerRadiusOf(std::size_t grain) const { return innerRadii_[static_cast<std::size_t>(bodies_.shape[grain])]; }
     /// Looked for by the upright box about it, not by the circle: the box is narrower, but no longer holds once the grain
     /// has turned.

@@ -74,6 +74,20 @@ void World::findNeighbours()
     lost_ = brokenState() != StepStatus::done;
 }
 
+/// As wrapGrains() is about to make it.
+bool World::cellIsNarrow() const
+{
+    if (!cell_ || bodies_.size() == 0)
+    {
+        return false;
+    }
+    // The search adds up the same reach in another order.
+    constexpr double roundingSlack = 1 + 1e-12;
+    StrainedCell upright = *cell_;
+    upright.straighten();
+    return !(upright.cell.widths().minCoeff() > 2 * largestReach_ * roundingSlack);
+}
+
 /// Grains that have left the cell come in from the other side, with the flow's velocity there; the ledger counts the
 /// difference as work of the boundary.
 void World::wrapGrains()

@@ -33,6 +33,10 @@ StepStatus World::step(double timeStep)
     {
         return StepStatus::tooFast;
     }
+    if (stale && cellIsNarrow())
+    {
+        return StepStatus::tooNarrow;
+    }
     if (ledger_)
     {
         addWorks(timeStep);

@@ -33,7 +33,7 @@ void Foam::checkUse
         (
             "constant/chesilProperties",
             "cell",
-            "a periodic cell",
+            "a periodic cell (that of cell or loading)",
             "none in flow: the mesh does not repeat itself"
         );
     }

@@ -6,6 +6,9 @@
 #include "boundarySettings.H"
 #include "checkedDictionary.H"
 #include "contactSettings.H"
+#include "loadingSettings.H"
+
+#include "core/boundary/plateWall.hpp"
 
 #include <algorithm>
 
@@ -76,7 +79,65 @@ chesil::WallMotion readMotion
     return servo;
 }
 
-//- The walls that end a servo wall must cross it
+chesil::PlaneWall<2> readEndlessWall
+(
+    const checkedDictionary& entries,
+    const Foam::word& name
+)
+{
+    const chesil::Vector2 normal = entries.planeVector("normal");
+    if (!(normal.norm() > 0))
+    {
+        entries.fail
+        (
+            "normal",
+            "a vector of no length",
+            "the direction from the wall into the domain"
+        );
+    }
+    chesil::PlaneWall<2> wall
+        {name, entries.planeVector("point"), normal.normalized()};
+    return wall;
+}
+
+
+chesil::PlaneWall<2> readPlate
+(
+    const checkedDictionary& entries,
+    const Foam::word& name
+)
+{
+    for (const char* foreign : {"point", "normal", "pressure", "speed", "between"})
+    {
+        if (entries.found(foreign))
+        {
+            entries.fail
+            (
+                foreign,
+                "an entry of walls without end",
+                "start, end and thickness, moved by velocity, amplitude and"
+                " frequency if at all"
+            );
+        }
+    }
+    const chesil::Vector2 start = entries.planeVector("start");
+    const chesil::Vector2 end = entries.planeVector("end");
+    const double thickness =
+        entries.found("thickness")
+      ? entries.positive("thickness")
+      : 1e-3*(end - start).norm();
+    try
+    {
+        return chesil::plateWall(name, start, end, thickness);
+    }
+    catch (const chesil::ValueError& error)
+    {
+        throw error.at(entries.file(), entries.fullName("end"));
+    }
+}
+
+
+//- The walls that end a servo wall must be endless and cross it
 void checkServos
 (
     const dictionary& dict,
@@ -89,6 +150,15 @@ void checkServos
         for (std::size_t k = 0; servo && k < 2; ++k)
         {
             const chesil::PlaneWall<2>& end = walls[servo->between[k]];
+            if (end.plate)
+            {
+                checkedDictionary(dict.subDict(wall.name)).fail
+                (
+                    "between",
+                    end.name + ", which has ends itself",
+                    "two walls given by point and normal"
+                );
+            }
             if (std::abs(chesil::cross(wall.normal, end.normal)) < 0.1)
             {
                 checkedDictionary(dict.subDict(wall.name)).fail
@@ -121,28 +191,19 @@ std::vector<chesil::PlaneWall<2>> Foam::readWalls
         (
             dict.subDict(name),
             {
-                "point", "normal", "material", "velocity", "amplitude",
-                "frequency", "pressure", "speed", "between"
+                "point", "normal", "start", "end", "thickness", "material",
+                "velocity", "amplitude", "frequency", "pressure", "speed",
+                "between"
             }
         );
-        const chesil::Vector2 normal = entries.planeVector("normal");
-        if (!(normal.norm() > 0))
-        {
-            entries.fail
-            (
-                "normal",
-                "a vector of no length",
-                "the direction from the wall into the domain"
-            );
-        }
-        walls.push_back
-        ({
-            name,
-            entries.planeVector("point"),
-            normal.normalized(),
-            materials.read(entries),
-            readMotion(entries, names)
-        });
+        const bool ends =
+            entries.found("start") || entries.found("end")
+         || entries.found("thickness");
+        chesil::PlaneWall<2> wall =
+            ends ? readPlate(entries, name) : readEndlessWall(entries, name);
+        wall.material = materials.read(entries);
+        wall.motion = readMotion(entries, names);
+        walls.push_back(wall);
     }
     checkServos(dict, walls);
     return walls;
@@ -192,6 +253,47 @@ chesil::StrainedCell Foam::readCell(const dictionary& dict)
         ),
         gradient
     );
+}
+
+
+void Foam::readBoundary
+(
+    const checkedDictionary& entries,
+    const materialSettings& materials,
+    chesil::WorldSettings& world
+)
+{
+    const bool walls = entries.found("walls");
+    const bool cell = entries.found("cell");
+    if (entries.found("loading"))
+    {
+        if (walls || cell)
+        {
+            entries.fail
+            (
+                "loading",
+                std::string(walls ? "walls" : "cell") + ", too",
+                "loading alone: it makes the walls or the cell"
+            );
+        }
+        readLoading(entries.subDict("loading"), materials, world);
+        return;
+    }
+    if (walls)
+    {
+        world.walls = readWalls(entries.subDict("walls"), materials);
+    }
+    if (cell)
+    {
+        if (!world.walls.empty())
+        {
+            entries.fail
+            (
+                "cell", "walls, too", "one of both: a wall does not repeat itself"
+            );
+        }
+        world.cell = readCell(entries.subDict("cell"));
+    }
 }
 
 

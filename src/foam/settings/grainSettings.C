@@ -8,6 +8,7 @@
 #include "compositionSettings.H"
 #include "contactSettings.H"
 
+#include "core/world/pairDistance.hpp"
 #include "core/world/randomInsertion.hpp"
 
 #include <map>
@@ -213,6 +214,11 @@ Foam::scalar depthInWall
 {
     const chesil::Pose<2> pose
         {grain.position, chesil::Rotation<2>(grain.angle)};
+    if (wall.plate)
+    {
+        return -chesil::pairDistance
+            (shape, pose, wall.plate->outline, wall.pose()).distance;
+    }
     const chesil::Vector2 foot = pose.toWorld
     (
         chesil::support(shape, pose.rotation.applyInverse(-wall.normal))
@@ -249,7 +255,9 @@ void checkWalls
                     name,
                     "a grain " + named.name + " that reaches "
                   + chesil::numberText(depth) + " m into wall " + wall.name,
-                    "grains that start between the walls: one bigger than"
+                    wall.plate
+                  ? "grains that start beside the wall"
+                  : "grains that start between the walls: one bigger than"
                     " the box never fits"
                 );
             }

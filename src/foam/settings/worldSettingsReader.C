@@ -32,7 +32,7 @@ using Foam::scalar;
 const std::vector<std::string> knownNames
 {
     "gravity", "material", "materials", "contact", "damping", "walls", "cell",
-    "shapes", "grains", "timeStep", "stopAtRest", "contactStatistics",
+    "loading", "shapes", "grains", "timeStep", "stopAtRest", "contactStatistics",
     "measures", "checkpoints", "fluid", "variables"
 };
 
@@ -52,7 +52,8 @@ void checkOverlaps
     catch (const chesil::ValueError& error)
     {
         // Nothing but a cell refuses: for grains too wide or far off
-        throw error.at(entries.file(), entries.fullName("cell"));
+        const Foam::word cell = entries.found("cell") ? "cell" : "loading";
+        throw error.at(entries.file(), entries.fullName(cell));
     }
     for (const chesil::Contact<2>& contact : world.contacts())
     {
@@ -241,21 +242,7 @@ Foam::caseSettings Foam::readCase
         world.viscousDamping = damping.notNegative("viscous", 0);
     }
     world.contactStatistics = entries.flag("contactStatistics", false);
-    if (entries.found("walls"))
-    {
-        world.walls = readWalls(entries.subDict("walls"), materials);
-    }
-    if (entries.found("cell"))
-    {
-        if (!world.walls.empty())
-        {
-            entries.fail
-            (
-                "cell", "walls, too", "one of both: a wall does not repeat itself"
-            );
-        }
-        world.cell = readCell(entries.subDict("cell"));
-    }
+    readBoundary(entries, materials, world);
     shapeGroups shapes =
         readShapes(entries.subDict("shapes"), runTime.globalPath());
     world.grains = readGrains

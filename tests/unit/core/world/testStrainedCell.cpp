@@ -225,6 +225,27 @@ TEST(StrainedCell, goesOnToTheBit)
     EXPECT_EQ(test::hashOf(whole), test::hashOf(later));
 }
 
+TEST(StrainedCell, thatHasBecomeTooNarrowEndsTheStep)
+{
+    // Compressed across until two images of a pair could meet: a status, no exception.
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    gradient(0, 0) = -1;
+    WorldSettings settings = test::freeBall();
+    settings.cell = squareCell(gradient);
+    settings.grains[0].position = Vector2(0.2, 0.3);
+    World world(settings);
+    world.updateForces();
+    StepStatus status = StepStatus::done;
+    for (int i = 0; i < 2000 && status == StepStatus::done; ++i)
+    {
+        ASSERT_NO_THROW(status = world.step(1e-3)) << world.time();
+    }
+    EXPECT_EQ(status, StepStatus::tooNarrow);
+    EXPECT_NEAR(world.time(), std::log(side / 0.2), 0.2) << "four radii, and the margin";
+    EXPECT_GT(world.cell()->cell.widths().minCoeff(), 0.2);
+    EXPECT_NE(describe(status, 0).find("has become narrower than two of its biggest grains reach"), std::string::npos);
+}
+
 TEST(StrainedCell, refusesWhatHasNoMeaning)
 {
     EXPECT_THROW(StrainedCell(PeriodicCell(Vector2(0, 0), Vector2(1, 0), Vector2(0, 0)), shearing(1)), ValueError);
