@@ -2,6 +2,7 @@
 /// adds the comparison with a build that knows disks only; for that this program also serves steps ("-steps
 /// <scene>").
 
+#include "benchmarks/payForUse/featureTable.hpp"
 #include "benchmarks/payForUse/stepServer.hpp"
 #include "core/world/pairContact.hpp"
 #include "unit/record.hpp"
@@ -213,6 +214,9 @@ Results measure()
     {
         measureFeatures(grains, results);
     }
+    WorldSettings plain = settledBed(diskShapes(), 2000);
+    plain.linear().friction = 0;
+    results.beside.push_back(measureTable(plain));
     return results;
 }
 

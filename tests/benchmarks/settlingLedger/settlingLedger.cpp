@@ -15,11 +15,11 @@ namespace
 {
 
 constexpr std::uint64_t seeds[] = {11, 12, 13};
-constexpr int grains = 100;
-constexpr int coarsest = 4;
-constexpr int finest = 128;
+constexpr int grains = 60;
+constexpr int coarsest = 2;
+constexpr int finest = 64;
 /// Long enough to fall and come to rest [s].
-constexpr double duration = 0.8;
+constexpr double duration = 0.6;
 
 struct Settling
 {
