@@ -42,6 +42,11 @@ template <bool images>
 std::vector<PairKey>& NeighbourSearch::findAll(std::size_t grains)
 {
     count_ = 0;
+    if (found_.empty())
+    {
+        // As many as a dense packing has: buffers that are outgrown leave holes in the memory.
+        found_.resize(3 * grids_.entries().size());
+    }
     const std::vector<Level>& levels = grids_.levels();
     for (std::size_t finer = 0; finer < levels.size(); ++finer)
     {

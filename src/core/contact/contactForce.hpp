@@ -33,7 +33,7 @@ double begun(const ContactState<Dim>& contact, double way)
 
 /// `spring` is the elastic tangential displacement of the first body against the second [m], carried from step
 /// to step: it is lengthened by this step's slip and cut to what friction holds. Null without friction. The velocity is
-/// that of the half step before, and the normal dashpot works on that of the full step, F = f + c (v + g - (F - F') dt/(2 m))
+/// that of the half step before. If the state anticipates, the normal dashpot works on that of the full step, F = f + c (v + g - (F - F') dt/(2 m))
 /// with the gain g expected from the forces of the step before, this contact's F' among them, solved for F: exact for two
 /// bodies that meet centrally, and nothing at rest. Springs and dashpots never attract; the law's attraction does. The
 /// laws: linearLaw.hpp, hertzMindlinLaw.hpp. `loss`, if not null, grows by what dashpots and slip take in this step [J].
@@ -50,15 +50,18 @@ template <class Law, int Dim>
     double pressing = springs.normalForce;
     if (damped)
     {
-        const double held = damping * contact.inverseMass * timeStep / 2;
-        pressing += damping * begun<Law>(contact, approach * timeStep) * (approach + contact.expectedGain)
-            + held * (contact.previousForce + attraction);
-        pressing = std::max(0.0, pressing / (1 + held));
+        pressing += damping * begun<Law>(contact, approach * timeStep) * (approach + contact.expectedGain);
+        if (contact.anticipates)
+        {
+            const double held = damping * contact.inverseMass * timeStep / 2;
+            pressing = (pressing + held * (contact.previousForce + attraction)) / (1 + held);
+        }
+        pressing = std::max(0.0, pressing);
     }
     const Vector<Dim> normalPart = (attraction - pressing) * contact.normal;
     if (loss)
     {
-        const double slowing = damped ? timeStep / 2 * contact.inverseMass : 0;
+        const double slowing = damped && contact.anticipates ? timeStep / 2 * contact.inverseMass : 0;
         const double atEnd = approach + contact.expectedGain - slowing * (pressing - attraction - contact.previousForce);
         *loss += timeStep * (pressing - springs.normalForce) * atEnd;
     }

@@ -20,6 +20,8 @@ struct ContactState
     double effectiveRadius = 0;
     /// Depth one step ago [m], 0 if there was no contact.
     double previousDepth = 0;
+    /// Whether the two below are given, and the dashpot is to work on the velocity at the step's end.
+    bool anticipates = false;
     /// Of the approach until the step's end [m/s], if forces stayed those of the step before, this contact's normal one,
     /// repulsive, among them [N].
     double expectedGain = 0;

@@ -84,10 +84,7 @@ World::World(WorldSettings settings)
     {
         addBody(grain);
     }
-    if (anyLaw(settings_.contact, [](const auto& law) { return law.dampingRatio > 0; }))
-    {
-        expectedGains_.assign(grains.size(), Vector2::Zero());
-    }
+    brakingRate_ = brakingRate();
     const std::vector<double>& radii = bodies_.boundingRadius;
     if (!radii.empty())
     {
@@ -116,6 +113,28 @@ void World::addBody(const GrainState& grain)
     {
         materialOf_.push_back(grain.material);
     }
+}
+
+/// z sqrt(k/m) of two like grains, the fastest of all.
+double World::brakingRate() const
+{
+    const double dampingRatio = std::visit(
+        [](const auto& table)
+        {
+            double largest = 0;
+            for (const auto& law : table.all())
+            {
+                largest = std::max(largest, law.dampingRatio);
+            }
+            return largest;
+        },
+        settings_.contact);
+    double fastest = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        fastest = std::max(fastest, stiffness_[static_cast<std::size_t>(bodies_.shape[i])] * 2 * bodies_.inverseMass[i]);
+    }
+    return dampingRatio * std::sqrt(fastest);
 }
 
 double World::largestStiffness(double radius) const

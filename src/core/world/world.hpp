@@ -199,6 +199,8 @@ private:
     void addWorks(double timeStep);
     StepStatus brokenState();
     bool leaps(double timeStep);
+    void anticipate(double timeStep);
+    double brakingRate() const;
     bool cellIsNarrow() const;
     double innerRadiusOf(std::size_t grain) const { return innerRadii_[static_cast<std::size_t>(bodies_.shape[grain])]; }
     /// Looked for by the upright box about it, not by the circle: the box is narrower, but no longer holds once the grain
@@ -235,7 +237,11 @@ private:
     ContactList list_;
     WallStates walls_;
     double time_ = 0;
-    /// Of each grain's velocity until the step's end, if forces stayed as they were [m/s]; empty without dashpots.
+    /// Most that a dashpot's force changes its own velocity, over the time step [1/s].
+    double brakingRate_ = 0;
+    /// Whether in this step that change counts: contactForce.hpp.
+    bool anticipates_ = false;
+    /// Of each grain's velocity until the step's end, if forces stayed as they were [m/s]; only then.
     std::vector<Vector2> expectedGains_;
     std::optional<EnergyLedger> ledger_;
     /// No contact that is less deep can be about to pass through [m].

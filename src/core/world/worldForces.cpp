@@ -19,6 +19,7 @@ namespace chesil
 
 void World::updateForces()
 {
+    anticipates_ = false;
     updateForces(0, neighboursAreStale());
 }
 
@@ -333,8 +334,9 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
         noteDepth(contact, timeStep * relative.norm());
     }
     ContactState<2> state{contact.depth, contact.normal, relative, places * inverseMass, 0, previousDepth};
-    if (!expectedGains_.empty() && timeStep > 0)
+    if (anticipates_)
     {
+        state.anticipates = true;
         const Vector2 gain = withWall ? expectedGains_[i] : Vector2(expectedGains_[i] - expectedGains_[j]);
         state.expectedGain = gain.dot(contact.normal);
         state.previousForce = -contact.force.dot(contact.normal);
