@@ -138,7 +138,7 @@ inline Results measureTable(const WorldSettings& plain)
         {"title", "Time of a step with each feature on, settled disks"},
         {"error", "time over that of the baseline, less 1 [-]"},
         {"time", "CPU time [ns] a grain and step"},
-        {"knob", "time over that of the baseline"},
+        {"knob", "number of grains"},
         {"drawing", "bars"},
         {"memory", "friction off: " + memoryOf(*worlds[0])},
         {"memory", "friction on: " + memoryOf(*worlds[1])},
@@ -147,7 +147,7 @@ inline Results measureTable(const WorldSettings& plain)
     {
         const double ratio = seconds[i] / seconds[0];
         const double nanoseconds = 1e9 * seconds[i] / stepsOfTable / static_cast<double>(plain.grains.size());
-        results.measurements.push_back({features[i].name, text("%.3f", ratio), ratio - 1, nanoseconds});
+        results.measurements.push_back({features[i].name, std::to_string(features[0].settings.grains.size()), ratio - 1, nanoseconds});
         std::printf("    %-34s %6.3f  %8.1f\n", features[i].name.c_str(), ratio, nanoseconds);
     }
     std::printf("    friction off: %s\n    friction on:  %s\n", memoryOf(*worlds[0]).c_str(), memoryOf(*worlds[1]).c_str());
