@@ -31,6 +31,16 @@ double begun(const ContactState<Dim>& contact, double way)
     return Law::dampsAtOnce && contact.previousDepth == 0 && contact.depth < way ? 0.5 + contact.depth / way : 1;
 }
 
+/// The same of an attraction, which is there in full from the first touch to the last: for a contact that has begun
+/// within the step before this instant or, by its velocity, ends within the one after. Without it each touch and each
+/// parting errs by the work of the attraction over up to half a step's way.
+template <int Dim>
+double present(const ContactState<Dim>& contact, double way)
+{
+    const bool beginsOrEnds = way < 0 || contact.previousDepth == 0;
+    return beginsOrEnds && contact.depth < std::abs(way) ? 0.5 + contact.depth / std::abs(way) : 1;
+}
+
 /// `spring` is the elastic tangential displacement of the first body against the second [m], carried from step
 /// to step: it is lengthened by this step's slip and cut to what friction holds. Null without friction. The velocity is
 /// that of the half step before. If the state anticipates, the normal dashpot works on that of the full step, F = f + c (v + g - (F - F') dt/(2 m))
@@ -43,7 +53,11 @@ template <class Law, int Dim>
     const ContactSprings springs = law.springs(contact);
     const double approach = contact.relativeVelocity.dot(contact.normal);
     const double dashpot = 2 * Law::dampingFactor * law.dampingRatio;
-    const double attraction = law.attraction(contact);
+    double attraction = law.attraction(contact);
+    if (attraction > 0)
+    {
+        attraction *= present(contact, approach * timeStep);
+    }
     const bool damped = dashpot > 0 && contact.inverseMass > 0;
     const double mass = damped ? 1 / contact.inverseMass : 0;
     const double damping = damped ? dashpot * std::sqrt(mass * springs.normalStiffness) : 0;
