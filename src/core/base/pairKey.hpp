@@ -23,6 +23,7 @@ struct PairKey
     static constexpr std::int32_t wallAsSecond(std::size_t wall) { return -1 - static_cast<std::int32_t>(wall); }
 
     bool withWall() const { return second < 0; }
+    bool withImage() const { return !(shift == NearShift{}); }
     std::size_t wall() const { return static_cast<std::size_t>(-1 - second); }
 
     bool operator==(const PairKey& other) const

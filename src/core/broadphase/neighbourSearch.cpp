@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace chesil
 {
@@ -11,6 +13,28 @@ namespace
 
 /// Covers rounding of the bounds between which wider grains are looked for.
 constexpr double roundingSlack = 1 + 1e-12;
+
+/// Pairs by a key below `keys`, in no order within a key: each is swapped to the end of its key's share (American flag
+/// sort, McIlroy, Bostic & McIlroy 1993). Then calls then(begin, end, key) for each share in turn. `ends` is a buffer.
+template <class KeyOf, class Then>
+void sortInPlace(
+    PairKey* begin, PairKey* const end, std::size_t keys, KeyOf keyOf, std::vector<std::uint32_t>& ends, Then then)
+{
+    ends.assign(keys, 0);
+    std::for_each(begin, end, [&](const PairKey& pair) { ++ends[keyOf(pair)]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    PairKey* const first = begin;
+    for (std::size_t key = 0; key < keys; ++key)
+    {
+        while (begin < first + ends[key])
+        {
+            std::swap(*begin, first[--ends[keyOf(*begin)]]);
+        }
+        PairKey* const next = std::find_if(begin, end, [&](const PairKey& pair) { return keyOf(pair) != key; });
+        then(begin, next, key);
+        begin = next;
+    }
+}
 
 } // namespace
 
@@ -35,18 +59,15 @@ std::vector<PairKey>& NeighbourSearch::find(const std::vector<Vector2>& position
 std::size_t NeighbourSearch::bytes() const
 {
     const auto of = [](const auto& buffer) { return buffer.capacity() * sizeof(buffer[0]); };
-    return grids_.bytes() + of(found_) + of(firstOf_) + of(pairs_);
+    return grids_.bytes() + of(ends_) + of(endsInBlock_) + of(pairs_);
 }
 
 template <bool images>
 std::vector<PairKey>& NeighbourSearch::findAll(std::size_t grains)
 {
     count_ = 0;
-    if (found_.empty())
-    {
-        // As many as a dense packing has: buffers that are outgrown leave holes in the memory.
-        found_.resize(3 * grids_.entries().size());
-    }
+    // As many as a dense packing has: buffers that are outgrown leave holes in the memory.
+    pairs_.resize(std::max(pairs_.capacity(), 3 * grids_.entries().size()));
     const std::vector<Level>& levels = grids_.levels();
     for (std::size_t finer = 0; finer < levels.size(); ++finer)
     {
@@ -56,6 +77,7 @@ std::vector<PairKey>& NeighbourSearch::findAll(std::size_t grains)
             findAcross<images>(levels[finer], levels[coarser]);
         }
     }
+    pairs_.resize(count_);
     order(grains);
     return pairs_;
 }
@@ -111,12 +133,12 @@ void NeighbourSearch::findAcross(const Level& finer, const Level& coarser)
 template <bool across, bool images>
 void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t end)
 {
-    if (const std::size_t most = count_ + (end - begin); most > found_.size())
+    if (const std::size_t most = count_ + (end - begin); most > pairs_.size())
     {
-        found_.reserve(most + most / 4);
-        found_.resize(most + most / 4);
+        pairs_.reserve(most + most / 4);
+        pairs_.resize(most + most / 4);
     }
-    PairKey* next = found_.data() + count_;
+    PairKey* next = pairs_.data() + count_;
     for (const Entry* other = grids_.entries().data() + begin; other != grids_.entries().data() + end;
          ++other)
     {
@@ -140,37 +162,23 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
         }
         next += near;
     }
-    count_ = static_cast<std::size_t>(next - found_.data());
+    count_ = static_cast<std::size_t>(next - pairs_.data());
 }
 
-/// Counting sort by the first grain, then each grain's few by the second.
+/// In place, since a second list of pairs would be the largest buffer of a big scene: by blocks of grains, whose pairs stay
+/// in the cache, then by the first grain, then by the second.
 void NeighbourSearch::order(std::size_t grains)
 {
-    firstOf_.assign(grains + 1, 0);
-    for (std::size_t k = 0; k < count_; ++k)
+    constexpr std::size_t block = 4096;
+    const auto byFirst = [&](PairKey* begin, PairKey* end, std::size_t number)
     {
-        ++firstOf_[static_cast<std::size_t>(found_[k].first) + 1];
-    }
-    for (std::size_t i = 1; i <= grains; ++i)
-    {
-        firstOf_[i] += firstOf_[i - 1];
-    }
-    if (count_ > pairs_.capacity())
-    {
-        pairs_.reserve(count_ + count_ / 8);
-    }
-    pairs_.resize(count_);
-    for (std::size_t k = 0; k < count_; ++k)
-    {
-        pairs_[firstOf_[static_cast<std::size_t>(found_[k].first)]++] = found_[k];
-    }
-    auto begin = pairs_.begin();
-    for (std::size_t i = 0; i < grains; ++i)
-    {
-        const auto end = pairs_.begin() + static_cast<std::ptrdiff_t>(firstOf_[i]);
-        std::sort(begin, end, [](const PairKey& a, const PairKey& b) { return a.second < b.second; });
-        begin = end;
-    }
+        const auto inBlock = [=](const PairKey& pair) { return static_cast<std::size_t>(pair.first) - number * block; };
+        const auto bySecond = [](PairKey* from, PairKey* to, std::size_t)
+        { std::sort(from, to, [](const PairKey& a, const PairKey& b) { return a.second < b.second; }); };
+        sortInPlace(begin, end, std::min(block, grains - number * block), inBlock, endsInBlock_, bySecond);
+    };
+    const auto blockOf = [=](const PairKey& pair) { return static_cast<std::size_t>(pair.first) / block; };
+    sortInPlace(pairs_.data(), pairs_.data() + count_, (grains + block - 1) / block, blockOf, ends_, byFirst);
 }
 
 } // namespace chesil

@@ -52,11 +52,11 @@ private:
     void order(std::size_t grains);
 
     HierarchicalGrid grids_;
-    /// The first `count_` are found; what stands behind them is of no meaning.
-    std::vector<PairKey> found_;
-    std::size_t count_ = 0;
-    std::vector<std::uint32_t> firstOf_;
+    /// While they are looked for, the first `count_` are found; what stands behind them is of no meaning.
     std::vector<PairKey> pairs_;
+    std::size_t count_ = 0;
+    std::vector<std::uint32_t> ends_;
+    std::vector<std::uint32_t> endsInBlock_;
 };
 
 } // namespace chesil

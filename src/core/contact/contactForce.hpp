@@ -60,14 +60,15 @@ template <class Law, int Dim>
     }
     const bool damped = dashpot > 0 && contact.inverseMass > 0;
     const double mass = damped ? 1 / contact.inverseMass : 0;
-    const double damping = damped ? dashpot * std::sqrt(mass * springs.normalStiffness) : 0;
+    const double dampingRate = damped ? dashpot * std::sqrt(contact.inverseMass * springs.normalStiffness) : 0;
+    const double damping = dampingRate * mass;
     double pressing = springs.normalForce;
     if (damped)
     {
         pressing += damping * begun<Law>(contact, approach * timeStep) * (approach + contact.expectedGain);
         if (contact.anticipates)
         {
-            const double held = damping * contact.inverseMass * timeStep / 2;
+            const double held = dampingRate * timeStep / 2;
             pressing = (pressing + held * (contact.previousForce + attraction)) / (1 + held);
         }
         pressing = std::max(0.0, pressing);

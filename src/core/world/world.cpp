@@ -74,6 +74,7 @@ World::World(WorldSettings settings)
     {
         masses_.push_back(massProperties(named.shape));
         straightSided_.push_back(hasStraightSides(named.shape));
+        onlyDisks_ = onlyDisks_ && std::holds_alternative<Circle>(named.shape);
         stiffness_.push_back(largestStiffness(boundingRadius(named.shape)));
         innerRadii_.push_back(innerRadius(named.shape));
     }

@@ -166,20 +166,23 @@ private:
     void resolveAll(const LawTable<Law>& laws, double timeStep);
     template <class Law>
     const Law& lawOf(const LawTable<Law>& laws, const Contact<2>& contact) const;
+    void resolveContacts(double timeStep);
+    template <bool periodic, class Law>
+    void resolveDisks(const LawTable<Law>& laws, std::size_t index, double timeStep);
     template <bool periodic, class Law>
     void resolve(const LawTable<Law>& laws, std::size_t index, double timeStep);
-    template <bool periodic>
     Pose<2> imageOfSecond(const Contact<2>& contact) const;
     Vector2 offsetOf(const Contact<2>& contact) const { return cell_->cell.offset(contact.shift); }
-    template <bool periodic>
     bool touchesGrain(Contact<2>& contact, ContactGeometry<2>& found);
     PairStatus queryGrains(Contact<2>& contact, const Pose<2>& poseJ, ContactGeometry<2>& found);
     bool touchesWall(Contact<2>& contact, ContactGeometry<2>& found) const;
-    template <bool periodic>
     bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
     template <bool periodic, class Law>
     void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, int places = 1);
     void noteDepth(const Contact<2>& contact, double way);
+    struct Meeting;
+    template <bool periodic>
+    Meeting meetingAt(const Contact<2>& contact) const;
     template <bool periodic, class Law>
     void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, int places);
     double effectiveRadius(const Contact<2>& contact) const;
@@ -192,8 +195,7 @@ private:
     template <class Law>
     double energyOf(const Law& law, std::size_t index) const;
     /// Of the tangential spring and that of rolling resistance [J]: what is lost when the contact ends.
-    template <class Law>
-    double springEnergyOf(const Law& law, std::size_t index) const;
+    double springEnergyOf(const ContactSprings& stiffness, double rollingFriction, std::size_t index) const;
     template <class Damping>
     void withLoss(double EnergyLedger::*loss, double timeStep, const Damping& damp);
     void addWorks(double timeStep);
@@ -210,6 +212,7 @@ private:
     WorldSettings settings_;
     std::vector<MassProperties> masses_;
     std::vector<bool> straightSided_;
+    bool onlyDisks_ = true;
     /// Of each shape [m].
     std::vector<double> innerRadii_;
     /// Of each shape: largest stiffness of its contacts that the stable step allows for [N/m].
@@ -253,6 +256,29 @@ private:
     std::size_t doubtfulQueries_ = 0;
     ContactStatistics contactStatistics_;
 };
+
+template <class Law>
+const Law& World::lawOf(const LawTable<Law>& laws, const Contact<2>& contact) const
+{
+    if (laws.materials() == 1)
+    {
+        return laws.of(0, 0);
+    }
+    const std::size_t other = contact.withWall() ? static_cast<std::size_t>(walls()[contact.wall()].material)
+                                                 : materialOf(static_cast<std::size_t>(contact.second));
+    return laws.of(materialOf(static_cast<std::size_t>(contact.first)), other);
+}
+
+template <class Law>
+ContactState<2> World::stateAtRest(std::size_t index) const
+{
+    ContactState<2> state{contacts()[index].depth, contacts()[index].normal, Vector2::Zero(), 0};
+    if constexpr (Law::usesCurvature)
+    {
+        state.effectiveRadius = list_.radii()[index];
+    }
+    return state;
+}
 
 // Written so that a position that is not a number asks for a search, too.
 template <bool periodic>

@@ -1,0 +1,244 @@
+#include "core/world/world.hpp"
+
+#include "core/contact/contactForce.hpp"
+#include "core/contact/rollingResistance.hpp"
+#include "core/world/diskContact.hpp"
+
+#include <utility>
+
+namespace chesil
+{
+
+void World::resolveContacts(double timeStep)
+{
+    const auto resolveWith = [&](const auto& laws)
+    { cell_ ? resolveAll<true>(laws, timeStep) : resolveAll<false>(laws, timeStep); };
+    std::visit(resolveWith, settings_.contact);
+}
+
+template <bool periodic, class Law>
+void World::resolveAll(const LawTable<Law>& laws, double timeStep)
+{
+    const std::size_t entries = list_.contacts().size();
+    for (std::size_t i = 0; i < entries; i += list_.placesOf(i))
+    {
+        if (onlyDisks_ && !list_.contacts()[i].withWall())
+        {
+            resolveDisks<periodic>(laws, i, timeStep);
+        }
+        else
+        {
+            resolve<periodic>(laws, i, timeStep);
+        }
+    }
+}
+
+/// What resolve() does, without what disks have no need of: they are so cheap that it would show.
+template <bool periodic, class Law>
+void World::resolveDisks(const LawTable<Law>& laws, std::size_t index, double timeStep)
+{
+    Contact<2>& contact = list_.contacts()[index];
+    const auto i = static_cast<std::size_t>(contact.first);
+    const auto j = static_cast<std::size_t>(contact.second);
+    const Vector2& position = bodies_.pose[i].position;
+    Vector2 between = bodies_.pose[j].position - position;
+    if (periodic && contact.withImage())
+    {
+        between += offsetOf(contact);
+    }
+    ContactGeometry<2> found;
+    const bool touches = diskContact(position, between, bodies_.boundingRadius[i], bodies_.boundingRadius[j], found);
+    if (settings_.contactStatistics)
+    {
+        ++contactStatistics_.queries;
+        contactStatistics_.contacts += touches;
+    }
+    if (!touches)
+    {
+        release(lawOf(laws, contact), index);
+        return;
+    }
+    load<periodic>(lawOf(laws, contact), index, found, timeStep);
+}
+
+template <bool periodic, class Law>
+void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeStep)
+{
+    Contact<2>& contact = list_.contacts()[index];
+    Contact<2>* second = list_.placesOf(index) == 2 ? &contact + 1 : nullptr;
+    const Law& law = lawOf(laws, contact);
+    ContactGeometry<2> found;
+    if (!(contact.withWall() ? touchesWall(contact, found) : touchesGrain(contact, found)))
+    {
+        release(law, index);
+        if (second)
+        {
+            release(law, index + 1);
+        }
+        return;
+    }
+    contact.normal = found.normal;
+    std::array<ContactGeometry<2>, 2> places;
+    if (second && areFlat(contact, found, places))
+    {
+        // The one corner of a tilted side is the same contact, whichever end of the other shape it is.
+        const bool first = contact.depth > 0;
+        double* spring = list_.springOf(index);
+        if (spring && first != (second->depth > 0) && !(places[first ? 0 : 1].depth > 0))
+        {
+            std::swap(*spring, *list_.springOf(index + 1));
+        }
+        // Each place damps half of the mass, if there are two: together they give the restitution that was asked.
+        const int loaded = places[0].depth > 0 && places[1].depth > 0 ? 2 : 1;
+        load<periodic>(law, index, places[0], timeStep, loaded);
+        load<periodic>(law, index + 1, places[1], timeStep, loaded);
+        return;
+    }
+    load<periodic>(law, index, found, timeStep);
+    if (second)
+    {
+        release(law, index + 1);
+    }
+}
+
+template <class Law>
+void World::release(const Law& law, std::size_t index)
+{
+    if (!(contacts()[index].depth > 0))
+    {
+        return;
+    }
+    if (ledger_)
+    {
+        ledger_->contacts += springEnergyOf(law.springs(stateAtRest<Law>(index)), law.rollingFriction, index);
+    }
+    list_.release(index);
+}
+
+template <bool periodic, class Law>
+void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, int places)
+{
+    if (!(geometry.depth > 0))
+    {
+        release(law, index);
+        return;
+    }
+    Contact<2>& contact = list_.contacts()[index];
+    const double previousDepth = contact.depth;
+    contact.depth = geometry.depth;
+    contact.normal = geometry.normal;
+    contact.point = geometry.point;
+    loadBodies<periodic>(law, index, previousDepth, timeStep, places);
+}
+
+/// How the first body of a contact moves against the second.
+struct World::Meeting
+{
+    /// From the centroids to the contact point, that of a wall zero [m].
+    Vector2 armOfFirst;
+    Vector2 armOfSecond = Vector2::Zero();
+    /// Of the second one's image against itself [m/s].
+    Vector2 imageVelocity = Vector2::Zero();
+    /// At the contact point [m/s].
+    Vector2 velocity;
+    /// [rad/s].
+    double spin;
+    double inverseMass;
+};
+
+template <bool periodic>
+World::Meeting World::meetingAt(const Contact<2>& contact) const
+{
+    const auto i = static_cast<std::size_t>(contact.first);
+    Meeting meeting;
+    meeting.armOfFirst = contact.point - bodies_.pose[i].position;
+    meeting.velocity = bodies_.velocity[i] + velocityAt(bodies_.angularVelocity[i], meeting.armOfFirst);
+    meeting.spin = bodies_.angularVelocity[i];
+    meeting.inverseMass = bodies_.inverseMass[i];
+    if (contact.withWall())
+    {
+        meeting.velocity -= walls_.states()[contact.wall()].velocity;
+        return meeting;
+    }
+    const auto j = static_cast<std::size_t>(contact.second);
+    meeting.armOfSecond = contact.point - bodies_.pose[j].position;
+    if (periodic && contact.withImage())
+    {
+        const Vector2 offset = offsetOf(contact);
+        meeting.armOfSecond -= offset;
+        meeting.imageVelocity = cell_->velocityGradient * offset;
+        meeting.velocity -= meeting.imageVelocity;
+    }
+    meeting.velocity -= bodies_.velocity[j] + velocityAt(bodies_.angularVelocity[j], meeting.armOfSecond);
+    meeting.spin -= bodies_.angularVelocity[j];
+    meeting.inverseMass += bodies_.inverseMass[j];
+    return meeting;
+}
+
+template <bool periodic, class Law>
+void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, int places)
+{
+    Contact<2>& contact = list_.contacts()[index];
+    const bool withWall = contact.withWall();
+    const auto i = static_cast<std::size_t>(contact.first);
+    const std::size_t j = withWall ? i : static_cast<std::size_t>(contact.second);
+    const Meeting meeting = meetingAt<periodic>(contact);
+    if (contact.depth > shallow_ && contact.depth > previousDepth)
+    {
+        noteDepth(contact, timeStep * meeting.velocity.norm());
+    }
+    ContactState<2> state{contact.depth, contact.normal, meeting.velocity, places * meeting.inverseMass, 0, previousDepth};
+    if (anticipates_)
+    {
+        state.anticipates = true;
+        const Vector2 gain = withWall ? expectedGains_[i] : Vector2(expectedGains_[i] - expectedGains_[j]);
+        state.expectedGain = gain.dot(contact.normal);
+        state.previousForce = -contact.force.dot(contact.normal);
+    }
+    if constexpr (Law::usesCurvature)
+    {
+        // Held while they touch, so that the force has a potential: a radius that changed on the way would make energy.
+        double& radius = list_.radiusOf(index);
+        radius = previousDepth > 0 && radius > 0 ? radius : effectiveRadius(contact);
+        state.effectiveRadius = radius;
+    }
+    double* loss = ledger_ ? &ledger_->contacts : nullptr;
+    const ContactForce<2> result = contactForce(law, state, timeStep, list_.springOf(index), loss);
+    if constexpr (Law::usesCurvature)
+    {
+        noteStiffness(i, j, result.springs);
+    }
+    contact.force = result.force;
+    if constexpr (periodic)
+    {
+        if (ledger_)
+        {
+            ledger_->walls += timeStep * contact.force.dot(meeting.imageVelocity);
+        }
+    }
+
+    bodies_.force[i] += contact.force;
+    bodies_.torque[i] += torqueOf(meeting.armOfFirst, contact.force);
+    if (withWall)
+    {
+        walls_.add(contact.wall(), -contact.force, result.springs.normalStiffness, result.damping);
+    }
+    else
+    {
+        bodies_.force[j] -= contact.force;
+        bodies_.torque[j] -= torqueOf(meeting.armOfSecond, contact.force);
+    }
+    if (double* turned = list_.turnOf(index); turned && law.rollingFriction > 0)
+    {
+        const double torque = rollingTorque(
+            law.rollingFriction, rollingRadius(contact), result.pressing, result.springs.normalStiffness, meeting.spin, timeStep,
+            *turned, loss);
+        bodies_.torque[i] += torque;
+        if (!withWall)
+        {
+            bodies_.torque[j] -= torque;
+        }
+    }
+}
+
+} // namespace chesil
