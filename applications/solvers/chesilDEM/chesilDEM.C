@@ -184,7 +184,8 @@ static int run(Time& runTime)
     (
         runTime.globalPath(),
         world,
-        earlier ? earlier->pictureTimes : std::vector<double>()
+        earlier ? earlier->pictureTimes : std::vector<double>(),
+        settings.run.forceChains
     );
     worldSeries series(runTime);
     worldMeasures measures(runTime, settings.run.measures, world);

@@ -37,8 +37,13 @@ Foam::worldSummary::worldSummary(const chesil::World& world)
         world.contactEnergy()
     ),
     contacts(0),
-    largestOverlap(world.largestRelativeOverlap())
+    largestOverlap(world.largestRelativeOverlap()),
+    meanSpeed(0)
 {
+    for (const chesil::Vector2& velocity : world.bodies().velocity)
+    {
+        meanSpeed += velocity.norm()/scalar(world.bodies().size());
+    }
     for (const chesil::Contact<2>& contact : world.contacts())
     {
         contacts += contact.depth > 0;
@@ -74,7 +79,7 @@ Foam::worldSeries::worldSeries(const Time& runTime)
 {
     file_.precision(12);
     file_ << "# Time [s]\tkineticEnergy [J]\tcontactEnergy [J]\tcontacts"
-          << "\tlargestOverlap [size]" << endl;
+          << "\tlargestOverlap [size]\tmeanSpeed [m/s]" << endl;
 }
 
 
@@ -82,7 +87,7 @@ void Foam::worldSeries::write(scalar time, const worldSummary& summary)
 {
     file_ << time << '\t' << summary.kineticEnergy << '\t'
           << summary.contactEnergy << '\t' << summary.contacts << '\t'
-          << summary.largestOverlap << endl;
+          << summary.largestOverlap << '\t' << summary.meanSpeed << endl;
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "core/base/setupError.hpp"
 #include "core/io/fileAside.hpp"
+#include "core/measure/measuredContact.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -124,10 +125,10 @@ Polyline outlineOf(const PeriodicCell& cell)
 
 } // namespace
 
-std::string VtkOutput::nameOf(std::size_t index)
+std::string VtkOutput::nameOf(std::size_t index, const char* what)
 {
     char name[64];
-    std::snprintf(name, sizeof name, "grains/grains_%06zu.vtp", index);
+    std::snprintf(name, sizeof name, "grains/%s_%06zu.vtp", what, index);
     return name;
 }
 
@@ -141,12 +142,13 @@ std::vector<double> VtkOutput::times() const
     return result;
 }
 
-VtkOutput::VtkOutput(std::string caseFolder, const World& world, const std::vector<double>& times)
-: caseFolder_(std::move(caseFolder))
+VtkOutput::VtkOutput(std::string caseFolder, const World& world, const std::vector<double>& times, bool withContacts)
+: caseFolder_(std::move(caseFolder)), withContacts_(withContacts)
 {
     std::set<std::string> kept;
     for (const double time : times)
     {
+        kept.insert(nameOf(written_.size(), "contacts"));
         written_.emplace_back(time, nameOf(written_.size()));
         kept.insert(written_.back().second);
     }
@@ -156,8 +158,9 @@ VtkOutput::VtkOutput(std::string caseFolder, const World& world, const std::vect
     // The user may keep other files beside ours.
     for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     {
-        if (entry->path().filename().string().rfind("grains_", 0) == 0 && entry->path().extension() == ".vtp"
-            && kept.count("grains/" + entry->path().filename().string()) == 0)
+        const std::string file = entry->path().filename().string();
+        const bool ours = file.rfind("grains_", 0) == 0 || file.rfind("contacts_", 0) == 0;
+        if (ours && entry->path().extension() == ".vtp" && kept.count("grains/" + file) == 0)
         {
             std::filesystem::remove(entry->path(), error);
         }
@@ -183,6 +186,30 @@ void VtkOutput::writeWalls(const World& world) const
     writeAside(caseFolder_ + "/grains/walls.vtp", [&](std::ostream& file) { writePolyData(file, "Lines", walls, {}); });
 }
 
+void VtkOutput::writeContacts(const World& world) const
+{
+    std::vector<const Contact<2>*> touching;
+    std::vector<Polyline> lines;
+    for (const Contact<2>& contact : world.contacts())
+    {
+        if (contact.depth > 0)
+        {
+            const Vector2& from = world.bodies().pose[static_cast<std::size_t>(contact.first)].position;
+            touching.push_back(&contact);
+            lines.push_back({{from, from + world.branchOf(contact)}});
+        }
+    }
+    const std::vector<CellArray> arrays{
+        {"normalForce", [&](std::size_t i) { return normalForce(*touching[i]); }},
+        {"tangentialForce", [&](std::size_t i) { return tangentialForce(*touching[i]); }},
+        {"overlap", [&](std::size_t i) { return touching[i]->depth; }},
+        {"first", [&](std::size_t i) { return static_cast<double>(touching[i]->first); }},
+        {"second", [&](std::size_t i) { return static_cast<double>(touching[i]->second); }},
+    };
+    writeAside(caseFolder_ + "/" + nameOf(written_.size(), "contacts"),
+        [&](std::ostream& file) { writePolyData(file, "Lines", lines, arrays); });
+}
+
 void VtkOutput::write(const World& world, double time)
 {
     const Bodies<2>& bodies = world.bodies();
@@ -195,6 +222,7 @@ void VtkOutput::write(const World& world, double time)
     const std::vector<CellArray> arrays{
         {"id", [](std::size_t i) { return static_cast<double>(i); }},
         {"shape", [&](std::size_t i) { return static_cast<double>(bodies.shape[i]); }},
+        {"kind", [&](std::size_t i) { return static_cast<double>(world.shapeOf(i).index()); }},
         {"size", [&](std::size_t i) { return world.sizeOf(i); }},
         {"angle", [&](std::size_t i) { return bodies.pose[i].rotation.angle(); }},
         {"speed", [&](std::size_t i) { return bodies.velocity[i].norm(); }},
@@ -203,6 +231,10 @@ void VtkOutput::write(const World& world, double time)
 
     const std::string name = nameOf(written_.size());
     writeAside(caseFolder_ + "/" + name, [&](std::ostream& file) { writePolyData(file, "Polys", grains, arrays); });
+    if (withContacts_)
+    {
+        writeContacts(world);
+    }
     const auto movesAtAll = [](const PlaneWall<2>& wall) { return moves(wall.motion); };
     const bool strained = world.cell() && world.cell()->isStrained();
     if (strained || std::any_of(world.walls().begin(), world.walls().end(), movesAtAll))

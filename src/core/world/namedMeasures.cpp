@@ -33,6 +33,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Of 5 degrees, over a half turn.
 constexpr std::size_t roseBins = 36;
 
+/// The last share of coordination is that of so many and more.
+constexpr std::size_t mostNeighbours = 9;
+
 /// That of the periodic cell, else of what the walls enclose.
 std::optional<double> areaOf(const World& world)
 {
@@ -74,7 +77,12 @@ Row energyRow(const World& world)
 
 Names coordinationColumns(const World&)
 {
-    return {"mean [neighbours]", "withoutRattlers [neighbours]", "rattlers [grains]", "rattlerShare [-]"};
+    Names names{"mean [neighbours]", "withoutRattlers [neighbours]", "rattlers [grains]", "rattlerShare [-]"};
+    for (std::size_t neighbours = 0; neighbours <= mostNeighbours; ++neighbours)
+    {
+        names.push_back("share" + std::to_string(neighbours) + " [-]");
+    }
+    return names;
 }
 
 Row coordinationRow(const World& world)
@@ -82,8 +90,16 @@ Row coordinationRow(const World& world)
     // A grain is held by two neighbours with friction, by three without.
     const std::size_t least = world.springs().empty() ? 3 : 2;
     const Coordination found = coordination(world.contacts(), world.bodies().size(), least, WallContacts::counted);
-    return {found.mean.value_or(none), found.meanWithoutRattlers.value_or(none), static_cast<double>(found.rattlers),
+    Row row{found.mean.value_or(none), found.meanWithoutRattlers.value_or(none), static_cast<double>(found.rattlers),
             found.rattlerShare.value_or(none)};
+    const std::size_t first = row.size();
+    row.resize(first + mostNeighbours + 1, 0);
+    for (std::size_t neighbours = 0; neighbours < found.histogram.size(); ++neighbours)
+    {
+        row[first + std::min(neighbours, mostNeighbours)] +=
+            static_cast<double>(found.histogram[neighbours]) / static_cast<double>(world.bodies().size());
+    }
+    return row;
 }
 
 Names stressColumns(const World&)
@@ -122,6 +138,14 @@ Row fabricRow(const World& world)
 }
 
 /// "density5 [1/rad]" for the bin about 5 degrees.
+void addRose(Names& names, const std::string& quantity, const std::string& unit)
+{
+    for (std::size_t bin = 0; bin < roseBins; ++bin)
+    {
+        names.push_back(quantity + std::to_string(180 * bin / roseBins) + unit);
+    }
+}
+
 Names roseColumns(const World&)
 {
     Names names;
@@ -129,10 +153,7 @@ Names roseColumns(const World&)
     for (const auto& [quantity, unit] :
          {Heading("density", " [1/rad]"), Heading("normalForce", " [N]"), Heading("tangentialForce", " [N]")})
     {
-        for (std::size_t bin = 0; bin < roseBins; ++bin)
-        {
-            names.push_back(quantity + std::to_string(180 * bin / roseBins) + unit);
-        }
+        addRose(names, quantity, unit);
     }
     return names;
 }
@@ -178,7 +199,9 @@ Row packingRow(const World& world)
 
 Names alignmentColumns(const World&)
 {
-    return {"order [-]", "director [rad]", "grains [grains]"};
+    Names names{"order [-]", "director [rad]", "grains [grains]"};
+    addRose(names, "density", " [1/rad]");
+    return names;
 }
 
 Row alignmentRow(const World& world)
@@ -199,7 +222,13 @@ Row alignmentRow(const World& world)
     }
     const std::optional<SecondHarmonic> found = alignment(angles);
     const auto number = static_cast<double>(angles.size());
-    return found ? Row{found->amplitude(), found->direction().value_or(none), number} : Row{none, none, number};
+    Row row = found ? Row{found->amplitude(), found->direction().value_or(none), number} : Row{none, none, number};
+    for (const std::size_t grains : roseHistogram(angles, roseBins))
+    {
+        // An axis has two ends: over the full turn the integral is 1, as of contact normals.
+        row.push_back(number > 0 ? static_cast<double>(grains) / number * roseBins / (2 * M_PI) : 0);
+    }
+    return row;
 }
 
 Names unbalancedColumns(const World&)
