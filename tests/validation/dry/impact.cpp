@@ -99,6 +99,7 @@ void impact(Report& report)
             report.compare("impact", "duration x frequency" + tail, found.duration, durationOf(ratio, 1), 1e-3);
             report.plot("Head-on impact", "restitution asked for", "duration x frequency", shape.name, wanted, found.duration, durationOf(ratio, 1));
         }
+        report.drawTheory("Head-on impact", shape.name, 0.1, 1, [](double wanted) { return durationOf(dampingRatioOf(wanted), 1); });
     }
     for (const double wanted : {0.2, 0.5, 1.0})
     {
