@@ -5,7 +5,6 @@
 
 #include "runCheckpoints.H"
 #include "OSspecific.H"
-#include "checkedDictionary.H"
 
 #include "core/base/setupError.hpp"
 #include "core/io/checkpointFolder.hpp"
@@ -94,7 +93,7 @@ std::optional<Foam::checkpointedRun> Foam::runCheckpoints::resume
     }
     catch (const chesil::ValueError& error)
     {
-        throw error.at(checkedDictionary::shownFile(*newest.path), "(state)");
+        throw error.at(*newest.path, "(state)");
     }
     // A state goes on under the strain that the case asks for now
     if (const auto& cell = world.settings().cell)

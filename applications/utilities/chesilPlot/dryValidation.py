@@ -1,6 +1,6 @@
 """The verification of the dry engine: computed points over the lines of theory, a panel a case.
 
-The CSV of chesilValidation_dry: panel,xLabel,yLabel,series,x,computed,theory.
+The CSV of chesilValidation_dry: panel,xLabel,yLabel,series,x,computed,theory; a row without computed is theory alone.
 """
 
 import matplotlib.pyplot as plt
@@ -26,9 +26,9 @@ def drawPanel(axes, name, rows):
         colour = colours[number % len(colours)]
         marker = style.SERIES_MARKERS[number % len(style.SERIES_MARKERS)]
         points = sorted(points, key=lambda point: point["x"])
-        x = [point["x"] for point in points]
-        axes.plot(x, [point["theory"] for point in points], color=colour, linewidth=0.9, zorder=2)
-        axes.plot(x, [point["computed"] for point in points], marker, color=colour, fillstyle="full" if number < len(colours) else "none",
+        axes.plot([point["x"] for point in points], [point["theory"] for point in points], color=colour, linewidth=0.9, zorder=2)
+        computed = [point for point in points if point["computed"] != ""]
+        axes.plot([point["x"] for point in computed], [point["computed"] for point in computed], marker, color=colour, fillstyle="full" if number < len(colours) else "none",
                   label=label, zorder=3,
                   markersize=3.6 if len(series) > 4 else 5 - 1.2 * number)
     if name in LOGARITHMIC:
@@ -44,7 +44,7 @@ def drawPanel(axes, name, rows):
         # Above all points, in room made for it.
         low, high = axes.get_ylim()
         axes.set_ylim(low, high * 3 if name in LOGARITHMIC else high + 0.15 * (high - low))
-        axes.legend(fontsize=7, loc="upper left", ncol=len(series), handletextpad=0, columnspacing=0.6, borderaxespad=0.1)
+        axes.legend(fontsize=7, loc="upper left", ncol=len(series), handlelength=1.3, handletextpad=0.2, columnspacing=0.6, borderaxespad=0.1)
 
 
 def draw(options):

@@ -6,6 +6,7 @@ Takes a .vtp file or the .pvd list of all times. The walls come from walls.vtp b
 from pathlib import Path
 
 import numpy as np
+from matplotlib.colors import ListedColormap
 
 import style
 from plotError import PlotError
@@ -18,6 +19,9 @@ FIELD_LABELS = {
     "angle": "angle [rad]",
     "angularVelocity": "angular velocity [rad/s]",
 }
+
+# Values closer than this, relative to the largest, are one: files hold rounded coordinates
+LEAST_SPREAD = 1e-4
 
 
 def addOptions(parser):
@@ -63,6 +67,19 @@ def regionInSight(grains, walls):
     return low, high
 
 
+def drawColourBar(drawn, axes, values, label):
+    """With a single colour and tick if all grains have the same value: the rest would be rounding."""
+    low, high = values.min(), values.max()
+    if high - low > LEAST_SPREAD * max(abs(low), abs(high)):
+        style.colourBar(drawn, axes, label)
+        return
+    middle = (low + high) / 2
+    drawn.set_cmap(ListedColormap([style.SAND(0.5)]))
+    drawn.set_clim(middle - 1, middle + 1)
+    bar = style.colourBar(drawn, axes, label)
+    bar.set_ticks([middle], labels=[f"{middle:.4g}"])
+
+
 def draw(options):
     time, path = readState(options)
     grains = readPolyData(path)
@@ -80,6 +97,6 @@ def draw(options):
     style.show(axes, low * factor, high * factor)
     style.placeLengthAxes(axes, unit)
     style.scaleBar(axes, unit)
-    style.colourBar(drawn, axes, options.label or label)
+    drawColourBar(drawn, axes, values, options.label or label)
     axes.set_title(options.title or (f"{len(values)} grains" + (f" at {time:g} s" if time is not None else "")))
     return figure

@@ -12,15 +12,10 @@ namespace chesil
 class SetupError : public std::runtime_error
 {
 public:
-    SetupError(std::string file, std::string entry, std::string found, std::string expected)
-    : std::runtime_error("file " + file + ", entry " + entry + ": found " + found + "; expected " + expected),
-      file_(std::move(file)),
-      entry_(std::move(entry)),
-      found_(std::move(found)),
-      expected_(std::move(expected))
-    {
-    }
+    /// The message shows the file as the user at work in this folder would write it: relative if it lies below.
+    SetupError(std::string file, std::string entry, std::string found, std::string expected);
 
+    /// As given.
     const std::string& file() const { return file_; }
     const std::string& entry() const { return entry_; }
     const std::string& found() const { return found_; }

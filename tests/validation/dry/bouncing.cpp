@@ -23,6 +23,7 @@ void bounces(Report& report)
     World world(settings);
     world.updateForces();
     const double timeStep = 0.02 * world.stableTimeStep();
+    const auto heightAfter = [](double bounce) { return std::pow(restitution, 2 * bounce); };
     double before = 0;
     for (int bounce = 0; bounce <= 4;)
     {
@@ -32,12 +33,13 @@ void bounces(Report& report)
         {
             ++bounce;
             const double height = (world.bodies().pose[0].position.y() - radius) / drop;
-            const double theory = std::pow(restitution, 2 * bounce);
+            const double theory = heightAfter(bounce);
             report.compare("bouncing", "height over drop after bounce " + std::to_string(bounce), height, theory, 2e-3);
             report.plot("Bouncing", "bounce", "height over drop", "e 0.8", bounce, height, theory);
         }
         before = speed;
     }
+    report.drawTheory("Bouncing", "e 0.8", 1, 5, heightAfter);
 }
 
 /// Two spheres (d 1 mm, 2e4 and 1e4 kg/m3, k 1e3 N/m) squeezed into a gap of 1.8 mm, always in touch: a linear oscillator
@@ -77,12 +79,16 @@ void stackedSpheres(Report& report)
 
     const double timeStep = 0.02 * world.stableTimeStep();
     const double end = 10 * 2 * M_PI / std::sqrt(modes.eigenvalues().x());
+    const auto theoryAt = [&](double time) -> Vector2
+    {
+        const Vector2 now = amplitude.cwiseProduct((modes.eigenvalues().cwiseSqrt() * time).array().cos().matrix());
+        return rest + roots.cwiseInverse().asDiagonal() * (modes.eigenvectors() * now);
+    };
     double worst = 0;
     for (int step = 1; world.time() < end; ++step)
     {
         advance(world, timeStep);
-        const Vector2 now = amplitude.cwiseProduct((modes.eigenvalues().cwiseSqrt() * world.time()).array().cos().matrix());
-        const Vector2 theory = rest + roots.cwiseInverse().asDiagonal() * (modes.eigenvectors() * now);
+        const Vector2 theory = theoryAt(world.time());
         for (const std::size_t grain : {0u, 1u})
         {
             const double height = world.bodies().pose[grain].position.y();
@@ -92,6 +98,11 @@ void stackedSpheres(Report& report)
                 report.plot("Stacked spheres", "time [ms]", "height less start [µm]", grain ? "upper" : "lower", 1e3 * world.time(), 1e6 * (height - start[static_cast<Eigen::Index>(grain)]), 1e6 * (theory[static_cast<Eigen::Index>(grain)] - start[static_cast<Eigen::Index>(grain)]));
             }
         }
+    }
+    for (const Eigen::Index grain : {0, 1})
+    {
+        const auto rise = [&](double milliseconds) { return 1e6 * (theoryAt(1e-3 * milliseconds)[grain] - start[grain]); };
+        report.drawTheory("Stacked spheres", grain == 1 ? "upper" : "lower", 0, 1e3 * end / 5, rise);
     }
     const double swing = (start - rest).cwiseAbs().maxCoeff();
     report.compare("bouncing", "stacked largest deviation over amplitude (10 periods)", worst / swing, 0, 2e-3, 1);

@@ -14,7 +14,6 @@ void scoreAll(const Report& report)
     report.score("impactDurationError", "impact", "duration");
     report.score("obliqueImpactError", "oblique");
     report.score("grazingEnergyGain", "grazing");
-    report.score("grazingEnergyGainLinear", "grazing", "largest gain linear");
     report.score("rollingDistanceError", "rolling", "distance");
     report.score("inclineAccelerationError", "incline", "acceleration");
     report.score("latticeStiffnessError", "lattice");

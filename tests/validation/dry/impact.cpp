@@ -1,8 +1,8 @@
+#include "benchmarks/common/benchmark.hpp"
 #include "validation/dry/report.hpp"
 #include "validation/dry/scene.hpp"
 
-#include <algorithm>
-#include <array>
+#include <cmath>
 
 namespace chesil::dry
 {
@@ -55,6 +55,32 @@ Outcome headOn(const Shape& shape, double restitution, int steps)
     return {(bodies.velocity[1].x() - bodies.velocity[0].x()) / speed, end * frequency};
 }
 
+/// Order of the duration's error in the time step by least squares, and the restitution's error over the step. The order is
+/// that of one scheme: from 400 steps a contact on no dashpot here looks ahead (decision 18), below it errors are smaller.
+void refineStep(Report& report, const Shape& shape, double wanted)
+{
+    const std::string tail = "e " + std::to_string(wanted).substr(0, 3);
+    std::vector<double> steps;
+    std::vector<double> errors;
+    double first = 0;
+    for (int count = 50; count <= 6400; count *= 2)
+    {
+        const Outcome found = headOn(shape, wanted, count);
+        if (count >= 400)
+        {
+            steps.push_back(1.0 / count);
+            errors.push_back(std::abs(found.duration - durationOf(dampingRatioOf(wanted), 1)));
+        }
+        if (wanted < 1)
+        {
+            const double error = std::abs(found.restitution / wanted - 1);
+            first = count == 50 ? error : first;
+            report.plot("Restitution over time step", "steps a contact", "relative error", tail, count, error, first * 50 / count);
+        }
+    }
+    report.compareAtLeast("impact", "order of the duration " + tail, benchmark::logarithmicSlope(steps, errors), wanted < 1 ? 1 : 2, 0.2);
+}
+
 } // namespace
 
 void impact(Report& report)
@@ -73,26 +99,11 @@ void impact(Report& report)
             report.compare("impact", "duration x frequency" + tail, found.duration, durationOf(ratio, 1), 1e-3);
             report.plot("Head-on impact", "restitution asked for", "duration x frequency", shape.name, wanted, found.duration, durationOf(ratio, 1));
         }
+        report.drawTheory("Head-on impact", shape.name, 0.1, 1, [](double wanted) { return durationOf(dampingRatioOf(wanted), 1); });
     }
     for (const double wanted : {0.2, 0.5, 1.0})
     {
-        double errors[2];
-        for (const int finer : {0, 1})
-        {
-            errors[finer] = std::abs(headOn(shapes[0].shape, wanted, finer ? 3200 : 800).duration - durationOf(dampingRatioOf(wanted), 1));
-        }
-        const double claimed = wanted < 1 ? 1 : 2;
-        const double order = std::log(errors[0] / errors[1]) / std::log(4.0);
-        report.compare("impact", "order of the duration, up to that claimed, e " + std::to_string(wanted).substr(0, 3), std::min(order, claimed), claimed, 0.2);
-        for (int steps = 50; steps <= 6400; steps *= 2)
-        {
-            const double error = std::abs(headOn(shapes[0].shape, wanted, steps).restitution / wanted - 1);
-            if (wanted < 1)
-            {
-                const double first = std::abs(headOn(shapes[0].shape, wanted, 50).restitution / wanted - 1);
-                report.plot("Restitution over time step", "steps a contact", "relative error", "e " + std::to_string(wanted).substr(0, 3), steps, error, first * 50 / steps);
-            }
-        }
+        refineStep(report, shapes[0].shape, wanted);
     }
 }
 

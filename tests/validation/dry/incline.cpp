@@ -66,6 +66,7 @@ void incline(Report& report)
         const double angle = degrees * M_PI / 180;
         report.plot("Block on an incline", "angle [deg]", "acceleration over g", "square block", degrees, slideAt(angle).acceleration / gravity, theoryAt(angle) / gravity);
     }
+    report.drawTheory("Block on an incline", "square block", 0, 50, [&](double degrees) { return theoryAt(degrees * M_PI / 180) / gravity; });
 }
 
 } // namespace chesil::dry

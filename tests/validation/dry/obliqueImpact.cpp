@@ -58,13 +58,14 @@ void testThree(Report& report)
 /// Test 4, in gross slip: e_t = 1 - mu (1 + e)/tan(theta), spin 5/2 mu (1 + e) v_n/r.
 void testFour(Report& report)
 {
+    const auto spinAt = [](double degrees) { return 2.5 * 0.092 * 1.98 * speed * std::cos(degrees * M_PI / 180) / sphere.radius; };
     for (int degrees = 5; degrees <= 85; degrees += 5)
     {
         const test::Impact found = impactAt(aluminaOnAluminium(0.98, 0.092), degrees);
         const double angle = degrees * M_PI / 180;
         const double ratio = found.tangential / (speed * std::sin(angle));
         const double theory = 1 - 0.092 * 1.98 / std::tan(angle);
-        const double spin = 2.5 * 0.092 * 1.98 * speed * std::cos(angle) / sphere.radius;
+        const double spin = spinAt(degrees);
         if (degrees >= 30)
         {
             report.compare("oblique", "test 4 tangential restitution at " + std::to_string(degrees), ratio, theory, 2e-3);
@@ -72,6 +73,7 @@ void testFour(Report& report)
             report.plot("Chung & Ooi 4", "angle of impact [deg]", "spin [rad/s]", "Hertz-Mindlin", degrees, -found.spin, spin);
         }
     }
+    report.drawTheory("Chung & Ooi 4", "Hertz-Mindlin", 30, 85, spinAt);
 }
 
 /// Rebound angles that linear springs give in Kharaz's set-up.

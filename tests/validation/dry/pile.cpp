@@ -52,6 +52,10 @@ PileForces forcesOf(double gap, double friction, bool walls)
     return found;
 }
 
+double smoothWall(double angle) { return std::tan(angle) / 2; }
+double smoothNormal(double angle) { return 0.5 / std::cos(angle); }
+double roughTangential(double angle) { return std::tan(angle / 2) / 2; }
+
 } // namespace
 
 /// With a the angle of a line of centres against the vertical and the weight W of a disk. Smooth, between walls:
@@ -63,16 +67,20 @@ void pile(Report& report)
     {
         const std::string tail = " gap over r " + std::to_string(gap).substr(0, 3);
         const PileForces smooth = forcesOf(gap * radius, 0, true);
-        report.compare("pile", "smooth N/W" + tail, smooth.normal, 0.5 / std::cos(smooth.angle), 1e-9);
-        report.compare("pile", "smooth wall/W" + tail, smooth.wall, std::tan(smooth.angle) / 2, 1e-9);
+        report.compare("pile", "smooth N/W" + tail, smooth.normal, smoothNormal(smooth.angle), 1e-9);
+        report.compare("pile", "smooth wall/W" + tail, smooth.wall, smoothWall(smooth.angle), 1e-9);
         report.compare("pile", "smooth floor/W" + tail, smooth.floor, 3, 1e-9);
         const PileForces rough = forcesOf(gap * radius, 0.5, false);
         report.compare("pile", "rough N/W" + tail, rough.normal, 0.5, 1e-4);
-        report.compare("pile", "rough T/W" + tail, rough.tangential, std::tan(rough.angle / 2) / 2, 1e-4);
+        report.compare("pile", "rough T/W" + tail, rough.tangential, roughTangential(rough.angle), 1e-4);
         report.compare("pile", "rough floor/W" + tail, rough.floor, 3, 1e-4);
-        report.plot("Pile of three", "gap over radius", "force over weight", "wall; smooth", gap, smooth.wall, std::tan(smooth.angle) / 2);
-        report.plot("Pile of three", "gap over radius", "force over weight", "N; smooth", gap, smooth.normal, 0.5 / std::cos(smooth.angle));
-        report.plot("Pile of three", "gap over radius", "force over weight", "T; rough", gap, rough.tangential, std::tan(rough.angle / 2) / 2);
+        report.plot("Pile of three", "gap over radius", "force over weight (T: rough)", "wall", gap, smooth.wall, smoothWall(smooth.angle));
+        report.plot("Pile of three", "gap over radius", "force over weight (T: rough)", "N", gap, smooth.normal, smoothNormal(smooth.angle));
+        report.plot("Pile of three", "gap over radius", "force over weight (T: rough)", "T", gap, rough.tangential, roughTangential(rough.angle));
+    }
+    for (const auto& [series, theory] : {std::pair("wall", smoothWall), std::pair("N", smoothNormal), std::pair("T", roughTangential)})
+    {
+        report.drawTheory("Pile of three", series, 0.1, 0.6, [force = theory](double gap) { return force(std::asin((1 + gap / 2) / 2)); });
     }
 }
 

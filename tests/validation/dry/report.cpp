@@ -17,9 +17,32 @@ void Report::compare(const std::string& subject, const std::string& quantity, do
     rows_.push_back({subject, quantity, computed, theory, error, bound});
 }
 
+void Report::compareAtLeast(const std::string& subject, const std::string& quantity, double computed, double theory, double bound)
+{
+    const double error = computed >= theory ? 0 : (theory - computed) / theory;
+    rows_.push_back({subject, quantity, computed, theory, error, bound});
+}
+
 void Report::plot(const std::string& panel, const std::string& xLabel, const std::string& yLabel, const std::string& series, double x, double computed, double theory)
 {
     points_.push_back({panel, xLabel, yLabel, series, x, computed, theory});
+}
+
+void Report::drawTheory(const std::string& panel, const std::string& series, double low, double high, const std::function<double(double)>& theory)
+{
+    const auto ofPanel = [&](const Point& point) { return point.panel == panel && point.series == series; };
+    const auto found = std::find_if(points_.begin(), points_.end(), ofPanel);
+    if (found == points_.end())
+    {
+        throw std::logic_error("no points of " + panel + ", " + series);
+    }
+    const Point sample = *found;
+    constexpr int pieces = 200;
+    for (int i = 0; i <= pieces; ++i)
+    {
+        const double x = low + (high - low) * i / pieces;
+        points_.push_back({panel, sample.xLabel, sample.yLabel, series, x, std::nullopt, theory(x)});
+    }
 }
 
 void Report::score(const std::string& name, const std::string& subject, const std::string& quantity) const
@@ -63,7 +86,12 @@ void Report::write(const std::string& table, const std::string& points) const
     drawn << "panel,xLabel,yLabel,series,x,computed,theory\n";
     for (const Point& point : points_)
     {
-        drawn << point.panel << ',' << point.xLabel << ',' << point.yLabel << ',' << point.series << ',' << point.x << ',' << point.computed << ',' << point.theory << '\n';
+        drawn << point.panel << ',' << point.xLabel << ',' << point.yLabel << ',' << point.series << ',' << point.x << ',';
+        if (point.computed)
+        {
+            drawn << *point.computed;
+        }
+        drawn << ',' << point.theory << '\n';
     }
     out.close();
     drawn.close();

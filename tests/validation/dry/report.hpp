@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +15,14 @@ public:
     /// A row of the table: ok if |computed - theory| <= bound * scale; scale 0 stands for |theory|. Units: see `quantity`.
     void compare(const std::string& subject, const std::string& quantity, double computed, double theory, double bound, double scale = 0);
 
+    /// The same, of a quantity that may be larger: the error is what it falls short of the theory, over that.
+    void compareAtLeast(const std::string& subject, const std::string& quantity, double computed, double theory, double bound);
+
     /// A point of the picture and the theory's value at the same place.
     void plot(const std::string& panel, const std::string& xLabel, const std::string& yLabel, const std::string& series, double x, double computed, double theory);
+
+    /// The theory of a series that has points, drawn smoothly from `low` to `high`, not by chords from point to point.
+    void drawTheory(const std::string& panel, const std::string& series, double low, double high, const std::function<double(double)>& theory);
 
     /// Largest error of the rows whose quantity begins so, for the scoreboard (topic dryEngine, unit "-").
     void score(const std::string& name, const std::string& subject, const std::string& quantity = "") const;
@@ -34,7 +42,10 @@ private:
     struct Point
     {
         std::string panel, xLabel, yLabel, series;
-        double x, computed, theory;
+        double x;
+        /// None: theory alone.
+        std::optional<double> computed;
+        double theory;
     };
     std::vector<Row> rows_;
     std::vector<Point> points_;

@@ -10,6 +10,7 @@ void rolling(Report& report)
 {
     constexpr double radius = 0.01;
     constexpr double speed = 0.1;
+    const auto distanceAt = [](double friction) { return 0.75 * speed * speed / (friction * gravity); };
     for (const double friction : {0.01, 0.02, 0.05, 0.1})
     {
         WorldSettings settings = linearScene(Circle(radius), 0.5, 0.5);
@@ -28,12 +29,13 @@ void rolling(Report& report)
         {
             advance(world, timeStep);
         }
-        const double distance = 0.75 * speed * speed / (friction * gravity);
+        const double distance = distanceAt(friction);
         const std::string tail = " mu_r " + std::to_string(friction).substr(0, 4);
         report.compare("rolling", "distance [m]" + tail, world.bodies().pose[0].position.x(), distance, 5e-4);
         report.compare("rolling", "time [s]" + tail, world.time(), 1.5 * speed / (friction * gravity), 5e-4);
         report.plot("Rolling to rest", "rolling friction", "distance [m]", "disk", friction, world.bodies().pose[0].position.x(), distance);
     }
+    report.drawTheory("Rolling to rest", "disk", 0.01, 0.1, distanceAt);
 }
 
 } // namespace chesil::dry

@@ -115,8 +115,8 @@ TEST_F(CheckpointFolderTest, theNewestIsTheNewestWholeOne)
     breakFile(2);
     const NewestCheckpoint newest = checkpoints_.newestValid();
     EXPECT_EQ(newest.path, pathOf(1));
-    EXPECT_THAT(newest.broken, ElementsAre(testing::AllOf(HasSubstr(pathOf(3)), HasSubstr("cut short")),
-                                           testing::AllOf(HasSubstr(pathOf(2)), HasSubstr("checksum"))));
+    EXPECT_THAT(newest.broken, ElementsAre(testing::AllOf(HasSubstr(nameOf(3)), HasSubstr("cut short")),
+                                           testing::AllOf(HasSubstr(nameOf(2)), HasSubstr("checksum"))));
     breakFile(1);
     EXPECT_EQ(checkpoints_.newestValid().path, std::nullopt);
     EXPECT_EQ(checkpoints_.newestValid().broken.size(), 3u);

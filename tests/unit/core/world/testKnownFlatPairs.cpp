@@ -37,24 +37,6 @@ std::vector<Vector2> regular(int sides, double radius = 1)
     return vertices;
 }
 
-/// A needle without width: what the support contract takes, though no grain is one.
-struct Segment
-{
-    Vector2 half;
-
-    Vector2 support(const Vector2& direction) const { return direction.dot(half) >= 0 ? half : Vector2(-half); }
-    double boundingRadius() const { return half.norm(); }
-};
-
-Penetration<2> ofSegments(const Vector2& halfA, const Vector2& halfB, const Vector2& offset)
-{
-    const Segment a{halfA};
-    const Segment b{halfB};
-    const Pose<2> poseA;
-    const Pose<2> poseB{offset, {}};
-    return penetrationByExpansion<2>(MinkowskiDifference<2, Segment, Segment>(a, poseA, b, poseB), Vector2(1, 0));
-}
-
 } // namespace
 
 TEST(KnownFlatPairs, squaresThatBarelyOverlap)
@@ -163,53 +145,6 @@ TEST(KnownFlatPairs, crossedPlates)
             expectDepth(found, 500.5);
         }
     }
-}
-
-TEST(KnownFlatPairs, crossedNeedles)
-{
-    const Penetration<2> crossed = ofSegments({1, 0}, {0, 1}, {0, 0});
-    EXPECT_EQ(crossed.status, PairStatus::overlapping);
-    EXPECT_NEAR(crossed.depth, 1, 1e-14);
-    for (const double width : {1e-3, 1e-6, 1e-9, 1e-12})
-    {
-        for (const Shape& a : bothKinds(test::rectangleVertices(2, width)))
-        {
-            for (const Shape& b : bothKinds(test::rectangleVertices(2, width)))
-            {
-                SCOPED_TRACE(width);
-                expectDepth(findPair(a, b, {0, 0}, M_PI / 2), 1 + width / 2);
-            }
-        }
-    }
-}
-
-TEST(KnownFlatPairs, collinearNeedles)
-{
-    const Penetration<2> collinear = ofSegments({1, 0}, {1, 0}, {0.5, 0});
-    EXPECT_NE(collinear.status, PairStatus::undecided);
-    EXPECT_NE(collinear.status, PairStatus::notFinite);
-    EXPECT_NEAR(collinear.depth, 0, 1e-14);
-    EXPECT_NEAR(std::abs(unit(collinear.normal).y()), 1, 1e-14);
-    for (const double width : {1e-3, 1e-6, 1e-9, 1e-12})
-    {
-        for (const Shape& a : bothKinds(test::rectangleVertices(2, width)))
-        {
-            for (const Shape& b : bothKinds(test::rectangleVertices(2, width)))
-            {
-                SCOPED_TRACE(width);
-                const PairFound found = findPair(a, b, {0.5, 0});
-                ASSERT_TRUE(found.overlaps());
-                expectDepth(found, width);
-                EXPECT_NEAR(std::abs(found.contact.normal.y()), 1, 1e-14);
-            }
-        }
-    }
-}
-
-TEST(KnownFlatPairs, needlesWithoutWidthAreNoGrains)
-{
-    EXPECT_THROW(ConvexPolygon({{-1, 0}, {1, 0}}), ValueError);
-    EXPECT_THROW(ConvexPolygon({{-1, 0}, {1, 0}, {1, 0}, {-1, 0}}), ValueError);
 }
 
 TEST(KnownFlatPairs, identicalPolygons)
