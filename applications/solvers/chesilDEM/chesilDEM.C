@@ -196,10 +196,9 @@ static int run(Time& runTime)
         series.write(runTime.value(), summary);
         measures.write(runTime.value(), world);
     };
-    const auto write = [&](const worldSummary& summary)
+    const auto writeState = [&]()
     {
         pictures.write(world, runTime.value());
-        writeRows(summary);
         checkpoints.write
         (
             {runTime.value(), runTime.timeIndex(), timeStep, pictures.times()},
@@ -215,6 +214,7 @@ static int run(Time& runTime)
     std::string end = "end time reached";
     label steps = 0;
     bool written = true;
+    label rowsSinceState = 0;
     // Time::run() would run function objects, which leave folders behind
     const scalar lastStart = runTime.endTime().value() - 0.5*timeStep;
     while (runTime.value() < lastStart)
@@ -237,7 +237,12 @@ static int run(Time& runTime)
             progress.print(runTime.value(), summary.text());
             if (written)
             {
-                write(summary);
+                writeRows(summary);
+                if (++rowsSinceState == settings.run.statesEvery)
+                {
+                    writeState();
+                    rowsSinceState = 0;
+                }
                 if (summary.unrest() < settings.run.stopAtRest)
                 {
                     end = "at rest";
@@ -250,7 +255,11 @@ static int run(Time& runTime)
     const worldSummary summary(world);
     if (!written)
     {
-        write(summary);
+        writeRows(summary);
+    }
+    if (!written || rowsSinceState > 0)
+    {
+        writeState();
     }
     Info<< nl << "End: " << end.c_str() << " at " << runTime.value() << " s after "
         << steps << " steps in " << progress.elapsed() << " s ("

@@ -1,6 +1,7 @@
-"""Rose diagrams of contact normals and mean forces by direction, from roses.dat.
+"""Rose diagrams of contact normals and mean forces by direction, from roses.dat, or of long axes, from alignment.dat.
 
-With -fabric, the Fourier curves whose amplitudes and directions fabric.dat has of the same run.
+Of several files, of runs that differ by their seed alone: their mean, and bars for the extremes. With -fabric, the
+Fourier curves whose amplitudes and directions fabric.dat has of the same runs.
 """
 
 import matplotlib.pyplot as plt
@@ -13,12 +14,13 @@ from series import readSeriesFile
 from vtp import nearest
 
 QUANTITIES = [("density", "normals [1/rad]"), ("normalForce", "normal force"), ("tangentialForce", "tangential force")]
+AXES = [("density", "long axes [1/rad]")]
 POSITIVE, NEGATIVE = style.SERIES_COLOURS[4], style.SERIES_COLOURS[5]
 
 
 def addOptions(parser):
-    parser.add_argument("file", metavar="<roses.dat>")
-    parser.add_argument("-fabric", metavar="<fabric.dat>", help="draw the fitted curves")
+    parser.add_argument("files", nargs="+", metavar="<roses.dat>")
+    parser.add_argument("-fabric", nargs="+", metavar="<fabric.dat>", help="draw the fitted curves, of as many files")
     parser.add_argument("-time", type=float, metavar="<s>", help="of this row (default: the last)")
     parser.add_argument("-title", metavar="<text>")
 
@@ -54,13 +56,17 @@ def fitted(path, row, quantity, angles):
     return row["meanNormalForce"] * (wave + (quantity == "normalForce"))
 
 
-def drawRose(axes, values, curve):
-    """Sectors over the full turn; a negative value has the same length and another colour."""
+def drawRose(axes, runs, curve):
+    """Sectors over the full turn of the mean of runs; a negative value has the same length and another colour."""
+    values = runs.mean(axis=0)
     width = np.pi / len(values)
     angles = np.arange(2 * len(values)) * width
     both = np.tile(values, 2)
     axes.bar(angles, np.abs(both), width=width, color=np.where(both < 0, NEGATIVE, POSITIVE), edgecolor="white", linewidth=0.4,
              zorder=2)
+    if len(runs) > 1:
+        most, least = (np.tile(extreme(np.where(values < 0, -runs, runs), axis=0), 2) for extreme in (np.max, np.min))
+        axes.vlines(angles, np.maximum(least, 0), most, color=style.FAINT_INK, linewidth=0.8, zorder=2.5)
     if curve is not None:
         around = np.linspace(0, 2 * np.pi, len(curve))
         axes.plot(around, np.abs(curve), color=style.INK, linewidth=1.2, zorder=3)
@@ -76,22 +82,33 @@ def drawRose(axes, values, curve):
     axes.spines["polar"].set_color(style.GRID)
 
 
+def meanCurve(options, fabrics, quantity, angles):
+    return np.mean([fitted(path, row, quantity, angles) for path, row in zip(options.fabric, fabrics)], axis=0)
+
+
 def draw(options):
-    time, row = readRow(options.file, options.time)
-    fabric = readRow(options.fabric, time)[1] if options.fabric else None
-    unit = next((unit for name, unit in readSeriesFile(options.file)[0] if name.startswith("normalForce")), "N")
-    figure, panels = plt.subplots(1, len(QUANTITIES), figsize=(9.0, 3.6), subplot_kw={"projection": "polar"},
-                                  layout="constrained")
+    rows = [readRow(path, options.time) for path in options.files]
+    time = rows[0][0]
+    fabrics = [readRow(path, time)[1] for path in options.fabric or []]
+    heads = readSeriesFile(options.files[0])[0]
+    unit = next((unit for name, unit in heads if name.startswith("normalForce")), None)
+    quantities = QUANTITIES if unit else AXES
+    figure, panels = plt.subplots(1, len(quantities), figsize=(3.0 * len(quantities), 3.6),
+                                  subplot_kw={"projection": "polar"}, layout="constrained", squeeze=False)
     angles = np.linspace(0, 2 * np.pi, 361)
-    for axes, (quantity, label) in zip(panels, QUANTITIES):
-        curve = fitted(options.fabric, fabric, quantity, angles) if fabric else None
-        drawRose(axes, binsOf(options.file, row, quantity), curve)
+    for axes, (quantity, label) in zip(panels[0], quantities):
+        curve = meanCurve(options, fabrics, quantity, angles) if fabrics else None
+        runs = np.array([binsOf(path, row, quantity) for path, (_, row) in zip(options.files, rows)])
+        drawRose(axes, runs, curve)
         axes.set_title(label if "[" in label else f"{label} [{unit}]", loc="center")
-    handles = [plt.Rectangle((0, 0), 1, 1, color=colour) for colour in (POSITIVE, NEGATIVE)]
-    labels = ["positive", "negative"]
-    if fabric:
-        handles.append(plt.Line2D([], [], color=style.INK, linewidth=1.2))
-        labels.append("fit")
-    figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.02), ncol=3)
-    figure.suptitle(options.title or f"contacts between grains at {time:g} s", x=0.02, ha="left", fontsize=10)
+    if unit:
+        handles = [plt.Rectangle((0, 0), 1, 1, color=colour) for colour in (POSITIVE, NEGATIVE)]
+        labels = ["positive", "negative"]
+        if fabrics:
+            handles.append(plt.Line2D([], [], color=style.INK, linewidth=1.2))
+            labels.append("fit")
+        figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.02), ncol=3)
+    what = f"contacts between grains at {time:g} s" if unit else f"long axes at {time:g} s"
+    number = f", {len(rows)} runs" if len(rows) > 1 else ""
+    figure.suptitle(options.title or what + number, x=0.02, ha="left", fontsize=10)
     return figure

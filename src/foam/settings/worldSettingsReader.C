@@ -33,7 +33,7 @@ const std::vector<std::string> knownNames
 {
     "gravity", "material", "materials", "contact", "damping", "walls", "cell",
     "loading", "shapes", "grains", "timeStep", "stopAtRest", "contactStatistics",
-    "measures", "checkpoints", "forceChains", "fluid", "variables"
+    "measures", "checkpoints", "forceChains", "statesEvery", "fluid", "variables"
 };
 
 //- Grains that start inside each other would be shot apart; driven ones stay
@@ -127,6 +127,7 @@ Foam::runSettings readRun(const checkedDictionary& entries)
     }
     run.checkpoints = entries.flag("checkpoints", true);
     run.forceChains = entries.flag("forceChains", false);
+    run.statesEvery = entries.count("statesEvery", 1, 1);
     run.stopAtRest = entries.notNegative("stopAtRest", 0);
     if (entries.found("measures"))
     {
