@@ -30,10 +30,10 @@ Usage
 #include "argList.H"
 #include "Time.H"
 
-#include "checkedDictionary.H"
 #include "progressLine.H"
 #include "readingGuards.H"
 #include "runCheckpoints.H"
+#include "runControl.H"
 #include "worldMeasures.H"
 #include "worldSeries.H"
 #include "worldSettingsReader.H"
@@ -48,109 +48,6 @@ Usage
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
-
-//- Is the write interval a time, not a number of steps?
-static bool writesInTime(const Time& runTime)
-{
-    const word control =
-        runTime.controlDict().lookupOrDefault<word>("writeControl", "timeStep");
-    return control != "timeStep" && control != "none";
-}
-
-
-//- Time forgets at a restart what it has written, and writes again a step later
-static bool isNewWrite(const Time& runTime)
-{
-    if (!writesInTime(runTime))
-    {
-        return true;
-    }
-    const scalar interval =
-        checkedDictionary(runTime.controlDict()).positive("writeInterval");
-    const scalar step = runTime.deltaTValue();
-    const auto index = [&](scalar time)
-    {
-        return label((time - runTime.startTime().value() + 0.5*step)/interval);
-    };
-    return index(runTime.value()) > index(runTime.value() - step);
-}
-
-
-//- What Time itself takes without a word, or ends on by a signal
-static void checkControl(const Time& runTime)
-{
-    const checkedDictionary control(runTime.controlDict());
-    control.positive("deltaT");
-    if (!(runTime.endTime().value() > runTime.value()))
-    {
-        control.fail
-        (
-            "endTime",
-            chesil::numberText(runTime.endTime().value()),
-            "a time after the start at " + chesil::numberText(runTime.value())
-        );
-    }
-    if (writesInTime(runTime))
-    {
-        control.positive("writeInterval");
-    }
-}
-
-
-//- The longest step up to `most` [s] of which the write interval is a multiple,
-//  so that the states written are those of the times asked for
-static scalar dividing(const Time& runTime, scalar most)
-{
-    const checkedDictionary control(runTime.controlDict());
-    const scalar whole =
-        writesInTime(runTime)
-      ? control.positive("writeInterval")
-      : runTime.endTime().value() - runTime.value();
-    return whole/ceil(whole/min(most, whole));
-}
-
-
-//- The DEM step [s]: chosen if the case lets us, else checked
-static scalar timeStepOf
-(
-    const Time& runTime,
-    const chesil::World& world,
-    const runSettings& run,
-    const std::optional<checkpointedRun>& earlier
-)
-{
-    const scalar stable = world.stableTimeStep();
-    if (runTime.controlDict().lookupOrDefault("adjustTimeStep", false))
-    {
-        // A run that goes on keeps its step, so that it goes on to the bit
-        const scalar most = run.shareOfStable*stable;
-        const scalar step =
-            earlier && earlier->timeStep <= most
-          ? earlier->timeStep
-          : dividing(runTime, most);
-        Info<< "Time step " << step << " s, " << run.shareOfStable
-            << " of the stable " << stable << " s" << endl;
-        return step;
-    }
-
-    const scalar step = runTime.deltaTValue();
-    if (step > stable && !run.allowUnstable)
-    {
-        throw chesil::SetupError
-        (
-            "system/controlDict",
-            "deltaT",
-            chesil::numberText(step) + " s",
-            "at most the stable step of " + chesil::numberText(stable)
-          + " s (or adjustTimeStep yes; or timeStep { allowUnstable yes; } in"
-            " constant/chesilProperties)"
-        );
-    }
-    Info<< "Time step " << step << " s, " << step/stable
-        << " of the stable " << stable << " s" << endl;
-    return step;
-}
-
 
 static int run(Time& runTime)
 {

@@ -5,7 +5,7 @@
 
 #include "boundarySettings.H"
 #include "checkedDictionary.H"
-#include "contactSettings.H"
+#include "materialSettings.H"
 #include "loadingSettings.H"
 
 #include "core/boundary/plateWall.hpp"

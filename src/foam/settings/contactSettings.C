@@ -5,6 +5,7 @@
 
 #include "contactSettings.H"
 #include "checkedDictionary.H"
+#include "materialSettings.H"
 
 #include "core/contact/restitution.hpp"
 
@@ -26,26 +27,6 @@ const std::vector<std::string> surfaceNames
 {
     "friction", "restitution", "cohesion", "rollingFriction"
 };
-
-void addMaterial
-(
-    const std::string& name,
-    const dictionary& dict,
-    materialSettings& settings
-)
-{
-    const checkedDictionary entries
-        (dict, {"density", "youngsModulus", "poissonsRatio"});
-    settings.materials.push_back({name, entries.positive("density")});
-    chesil::ElasticMaterial elastic{0, 0};
-    if (entries.found("youngsModulus") || entries.found("poissonsRatio"))
-    {
-        elastic.youngsModulus = entries.positive("youngsModulus");
-        elastic.poissonsRatio = entries.numberIn
-            ("poissonsRatio", -0.999, 0.5, "a number in [-0.999, 0.5]");
-    }
-    settings.elastic.push_back(elastic);
-}
 
 template<class Law>
 void readSurface(const checkedDictionary& entries, Law& law)
@@ -233,54 +214,6 @@ void requireCurvature
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-std::vector<std::string> Foam::materialSettings::names() const
-{
-    std::vector<std::string> result;
-    for (const chesil::Material& material : materials)
-    {
-        result.push_back(material.name);
-    }
-    return result;
-}
-
-
-int Foam::materialSettings::read(const checkedDictionary& entries) const
-{
-    if (materials.size() == 1 && !entries.found("material"))
-    {
-        return 0;
-    }
-    const std::string name = entries.choice("material", names());
-    const std::vector<std::string> known = names();
-    return int(std::find(known.begin(), known.end(), name) - known.begin());
-}
-
-
-Foam::materialSettings Foam::readMaterials(const checkedDictionary& entries)
-{
-    materialSettings result;
-    if (!entries.found("materials"))
-    {
-        addMaterial("material", entries.subDict("material"), result);
-        return result;
-    }
-    if (entries.found("material"))
-    {
-        entries.fail("material", "materials, too", "one of both");
-    }
-    const dictionary& materials = entries.subDict("materials");
-    for (const word& name : checkedDictionary::subDictNames(materials))
-    {
-        addMaterial(name, materials.subDict(name), result);
-    }
-    if (result.materials.empty())
-    {
-        entries.fail("materials", "an empty dictionary", "at least one material");
-    }
-    return result;
-}
-
 
 chesil::ContactLaws Foam::readContactLaws
 (

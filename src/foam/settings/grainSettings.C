@@ -6,9 +6,9 @@
 #include "grainSettings.H"
 #include "checkedDictionary.H"
 #include "compositionSettings.H"
-#include "contactSettings.H"
+#include "grainChecks.H"
+#include "materialSettings.H"
 
-#include "core/world/pairDistance.hpp"
 #include "core/world/randomInsertion.hpp"
 
 #include <map>
@@ -22,13 +22,6 @@ using chesil::GrainState;
 using Foam::checkedDictionary;
 using Foam::dictionary;
 using Foam::shapeGroups;
-
-chesil::PlacementBox readBox(const checkedDictionary& entries)
-{
-    const checkedDictionary box(entries.subDict("box"), {"lower", "upper"});
-    return {box.planeVector("lower"), box.planeVector("upper")};
-}
-
 
 std::uint64_t readSeed(const checkedDictionary& entries)
 {
@@ -66,7 +59,7 @@ std::vector<GrainState> readLattice(const dictionary& dict, shapeGroups& shapes)
             "material"
         }
     );
-    const chesil::PlacementBox box = readBox(entries);
+    const chesil::PlacementBox box = Foam::readBox(entries);
     const Foam::label number = entries.count("number", 1);
     const std::uint64_t seed = readSeed(entries);
     if (!entries.found("mixture") && !entries.found("sizes"))
@@ -156,7 +149,7 @@ std::vector<GrainState> readRandom(const dictionary& dict, shapeGroups& shapes)
             "mixture", "sizes", "material"
         }
     );
-    const chesil::PlacementBox box = readBox(entries);
+    const chesil::PlacementBox box = Foam::readBox(entries);
     const Foam::scalar gap = entries.notNegative("gap", 0);
     chesil::RandomEngine engine(readSeed(entries));
     underEntry(entries, "box", [&] { chesil::requireExtent(box); });
@@ -202,89 +195,6 @@ std::vector<GrainState> readSingle(const dictionary& dict, shapeGroups& shapes)
     grain.angularVelocity = entries.number("angularVelocity", 0);
     grain.driven = entries.flag("driven", false);
     return {grain};
-}
-
-//- How far a grain reaches into a wall [m]; negative before it
-Foam::scalar depthInWall
-(
-    const chesil::Shape& shape,
-    const GrainState& grain,
-    const chesil::PlaneWall<2>& wall
-)
-{
-    const chesil::Pose<2> pose
-        {grain.position, chesil::Rotation<2>(grain.angle)};
-    if (wall.plate)
-    {
-        return -chesil::pairDistance
-            (shape, pose, wall.plate->outline, wall.pose()).distance;
-    }
-    const chesil::Vector2 foot = pose.toWorld
-    (
-        chesil::support(shape, pose.rotation.applyInverse(-wall.normal))
-    );
-    return -wall.distance(foot);
-}
-
-//- A grain that starts in a wall would be shot out of it
-void checkWalls
-(
-    const checkedDictionary& entries,
-    const Foam::word& name,
-    const std::vector<GrainState>& grains,
-    const shapeGroups& shapes,
-    const std::vector<chesil::PlaneWall<2>>& walls
-)
-{
-    constexpr Foam::scalar allowedShare = 0.1;
-    for (const GrainState& grain : grains)
-    {
-        if (grain.driven)
-        {
-            continue;
-        }
-        const chesil::NamedShape& named =
-            shapes.shapes[std::size_t(grain.shape)];
-        for (const chesil::PlaneWall<2>& wall : walls)
-        {
-            const Foam::scalar depth = depthInWall(named.shape, grain, wall);
-            if (depth > allowedShare*chesil::boundingRadius(named.shape))
-            {
-                entries.fail
-                (
-                    name,
-                    "a grain " + named.name + " that reaches "
-                  + chesil::numberText(depth) + " m into wall " + wall.name,
-                    wall.plate
-                  ? "grains that start beside the wall"
-                  : "grains that start between the walls: one bigger than"
-                    " the box never fits"
-                );
-            }
-        }
-    }
-}
-
-//- Grains in a box that reaches out of the cell would start in others' images
-void checkCell
-(
-    const checkedDictionary& entries,
-    const chesil::PeriodicCell& cell
-)
-{
-    const chesil::PlacementBox box = readBox(entries);
-    const chesil::Vector2 upper = cell.lower() + cell.first() + cell.second();
-    if
-    (
-        (box.lower - cell.lower()).minCoeff() < 0
-     || (upper - box.upper).minCoeff() < 0
-    )
-    {
-        entries.fail
-        (
-            "box", "a box that reaches out of the cell", "a box within the cell"
-        );
-    }
 }
 
 } // End namespace

@@ -5,7 +5,7 @@
 
 #include "loadingSettings.H"
 #include "checkedDictionary.H"
-#include "contactSettings.H"
+#include "materialSettings.H"
 
 #include "core/world/loading.hpp"
 

@@ -7,6 +7,7 @@
 #include "boundarySettings.H"
 #include "checkedDictionary.H"
 #include "contactSettings.H"
+#include "materialSettings.H"
 #include "grainSettings.H"
 #include "readingGuards.H"
 #include "shapeSettings.H"
