@@ -144,7 +144,7 @@ Heap hardHeap(std::uint64_t seed)
         heap.settings.grains = relax(heap, linearLaw(level * heap.pressure, 0), 0.5, duration).grains;
     }
     const Rest hard =
-        relax(heap, linearLaw(hardestLevel * heap.pressure, friction), 0.5, 100 / std::sqrt(hardestLevel));
+        relax(heap, linearLaw(hardestLevel * heap.pressure, friction), 0.5, 60 / std::sqrt(hardestLevel));
     heap.hardFraction = hard.solidFraction;
     std::printf("    seed %d: solid fraction of hard grains %.7f, overlap %.1e, kinetic %.1e, %.1f s\n",
                 static_cast<int>(seed), hard.solidFraction, hard.overlap, hard.kinetic, hard.seconds);
