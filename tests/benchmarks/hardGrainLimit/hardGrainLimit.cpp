@@ -144,7 +144,7 @@ Heap hardHeap(std::uint64_t seed)
         heap.settings.grains = relax(heap, linearLaw(level * heap.pressure, 0), 0.5, duration).grains;
     }
     const Rest hard =
-        relax(heap, linearLaw(hardestLevel * heap.pressure, friction), 0.5, 60 / std::sqrt(hardestLevel));
+        relax(heap, linearLaw(hardestLevel * heap.pressure, friction), 0.5, 40 / std::sqrt(hardestLevel));
     heap.hardFraction = hard.solidFraction;
     std::printf("    seed %d: solid fraction of hard grains %.7f, overlap %.1e, kinetic %.1e, %.1f s\n",
                 static_cast<int>(seed), hard.solidFraction, hard.overlap, hard.kinetic, hard.seconds);
@@ -191,6 +191,13 @@ struct Sweep
     bool coarse;
 };
 
+/// "3e4".
+std::string labelOf(double level)
+{
+    const int power = static_cast<int>(std::floor(std::log10(level)));
+    return text("%ge%d", level / std::pow(10, power), power);
+}
+
 /// Order at which the error falls with the stiffness.
 double sweepOver(const Sweep& sweep, const std::vector<Heap>& heaps, Results& results)
 {
@@ -204,12 +211,12 @@ double sweepOver(const Sweep& sweep, const std::vector<Heap>& heaps, Results& re
             continue;
         }
         const Level found = relaxAll(heaps, sweep.law, sweep.shareOfStable, levels[i]);
-        std::printf("    %-24s %-7g %9.2e  %8.1e  %8.1e  %7.3f\n", sweep.name.c_str(), levels[i], found.error,
+        std::printf("    %-36s %-7g %9.2e  %8.1e  %8.1e  %7.3f\n", sweep.name.c_str(), levels[i], found.error,
                     found.overlap, found.kinetic, found.seconds);
         stiffness.push_back(levels[i]);
         errors.push_back(found.error);
         times.push_back(found.seconds);
-        results.measurements.push_back({sweep.name, text("%g", levels[i]), found.error, found.seconds});
+        results.measurements.push_back({sweep.name, labelOf(levels[i]), found.error, found.seconds});
     }
     const double order = -logarithmicSlope(stiffness, errors);
     const std::string line = text("error ~ stiffness^%.2f, run time ~ stiffness^%.2f (%s)", -order,
@@ -244,19 +251,19 @@ Results measure()
     results.comments = {
         {"title", "Stiffness: solid fraction of a heap of irregular grains"},
         {"error", "solid fraction over that of hard grains, less 1 [-]"},
-        {"time", text("run time of %g s [s]", resting)},
+        {"time", text("run time of %g s of coming to rest [s]", resting)},
         {"knob", "stiffness over the pressure on the floor (Hertz: at the deepest overlap allowed)"},
-        {"hard", text("grains of level %g, the same heap", hardestLevel)},
-        {"median", text("of %zu seeds; %d grains", std::size(seeds), grains)},
+        {"hard", text("the same heap at %g", hardestLevel)},
+        {"median", text("of %zu seeds; %d polybeziers and ellipses", std::size(seeds), grains)},
         {"scatter",
          text("%.1e from heap to heap (standard deviation of hard heaps over their mean)", scatterOf(heaps))},
     };
-    std::printf("    law, share of stable step level      error   overlap   kinetic        s\n");
+    std::printf("    law                                  level       error   overlap   kinetic        s\n");
     const double linear =
-        sweepOver({"linear, step 1/2 (automatic)", linearLaw, 0.5, 1e2, 1e5, false}, heaps, results);
-    const double hertz = sweepOver({"Hertz, step 1/2", hertzLaw, 0.5, 1e3, 1e5, false}, heaps, results);
-    sweepOver({"linear, step 1", linearLaw, 1, 1e2, 1e5, true}, heaps, results);
-    sweepOver({"linear, step 1/8", linearLaw, 0.125, 1e2, 1e4, true}, heaps, results);
+        sweepOver({"linear, 1/2 stable step (automatic)", linearLaw, 0.5, 1e2, 1e5, false}, heaps, results);
+    sweepOver({"linear, 1/8 stable step", linearLaw, 0.125, 1e2, 1e4, true}, heaps, results);
+    const double hertz = sweepOver({"Hertz, 1/2 stable step", hertzLaw, 0.5, 1e3, 1e5, true}, heaps, results);
+    sweepOver({"linear, whole stable step", linearLaw, 1, 1e2, 1e5, true}, heaps, results);
     test::record("dryEngine", "hardGrainOrder", linear, "-");
     test::record("dryEngine", "hardGrainOrderHertz", hertz, "-");
     return results;
