@@ -94,7 +94,7 @@ def drawKinds(axes, outlines, kinds):
     present = [kind for kind in range(len(KINDS)) if (kinds == kind).any()]
     style.drawGrains(axes, outlines, facecolor=[KINDS[int(kind)][1] for kind in kinds])
     handles = [plt.Rectangle((0, 0), 1, 1, facecolor=KINDS[kind][1], edgecolor=style.GRAIN_EDGE, linewidth=0.6) for kind in present]
-    axes.figure.legend(handles, [KINDS[kind][0] for kind in present], loc="outside lower center", ncol=4)
+    axes.figure.legend(handles, [KINDS[kind][0] for kind in present], loc="upper center", bbox_to_anchor=(0.5, 0.02), ncol=4)
 
 
 def drawForces(axes, path, factor):
@@ -111,7 +111,7 @@ def drawForces(axes, path, factor):
     axes.add_collection(LineCollection([line * factor for line in found.polylines()], linewidths=widths,
                                        colors=style.OUTLINE, capstyle="round", zorder=5))
     handle = plt.Line2D([], [], color=style.OUTLINE, linewidth=MEAN_FORCE_WIDTH)
-    axes.figure.legend([handle], [f"normal force of the mean, {mean:.3g} N"], loc="outside lower center")
+    axes.figure.legend([handle], [f"normal force of the mean, {mean:.3g} N"], loc="upper center", bbox_to_anchor=(0.5, 0.02))
 
 
 def draw(options):

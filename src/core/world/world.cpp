@@ -60,6 +60,8 @@ std::string describe(StepStatus status, std::size_t brokenGrain)
         return grain + " is so fast that in one step it could leap over another; a smaller time step is needed";
     case StepStatus::tooNarrow:
         return "the periodic cell has become narrower than two of its biggest grains reach";
+    case StepStatus::badTimeStep:
+        return "the time step is no positive finite number";
     }
     return "";
 }

@@ -35,6 +35,8 @@ enum class StepStatus
     tooFast,
     /// The cell is so strained that a pair could meet by two images (NeighbourSearch::find): refused in the same way.
     tooNarrow,
+    /// The time step is no positive finite number: nothing was done.
+    badTimeStep,
 };
 
 /// "the state of grain 3 is no finite number", for the statuses that are failures.

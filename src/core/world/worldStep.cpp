@@ -11,6 +11,10 @@ namespace chesil
 
 StepStatus World::step(double timeStep)
 {
+    if (!(timeStep > 0 && std::isfinite(timeStep)))
+    {
+        return StepStatus::badTimeStep;
+    }
     if (settings_.energyLedger && !ledger_)
     {
         ledger_.emplace();

@@ -141,3 +141,20 @@ TEST(FastGrains, spinningNeedlesToo)
     EXPECT_EQ(fast.step(timeStep), StepStatus::tooFast);
     EXPECT_EQ(fast.step(0.9 * timeStep), StepStatus::done);
 }
+
+TEST(FastGrains, aStepThatIsNoPositiveNumberDoesNothing)
+{
+    WorldSettings settings = test::freeBall();
+    settings.gravity = Vector2(0, -9.81);
+    World world(settings);
+    world.updateForces();
+    const Vector2 position = world.bodies().pose[0].position;
+    for (const double timeStep : {0.0, -1e-6, std::nan(""), HUGE_VAL, -HUGE_VAL})
+    {
+        EXPECT_EQ(world.step(timeStep), StepStatus::badTimeStep) << timeStep;
+        EXPECT_EQ(world.bodies().pose[0].position, position);
+        EXPECT_EQ(world.bodies().velocity[0], Vector2::Zero());
+        EXPECT_EQ(world.time(), 0);
+    }
+    EXPECT_NE(describe(StepStatus::badTimeStep, 0), "");
+}

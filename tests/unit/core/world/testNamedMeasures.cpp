@@ -117,8 +117,28 @@ TEST(NamedMeasures, alignmentIsThatOfTheLongAxesInTheWorld)
     EXPECT_NEAR(values["order"], 1, 1e-12);
     EXPECT_NEAR(values["director"], 0.4, 1e-12);
     EXPECT_EQ(values["grains"], 2) << "without the disk";
+    // 0.4 rad lies in the bin about 25 degrees: all axes within 5 degrees of the half turn.
+    EXPECT_NEAR(values["density25"], 36 / (2 * M_PI), 1e-12);
+    EXPECT_EQ(values["density20"], 0);
     settings.grains[1].angle = 0.4;
     EXPECT_NEAR(valuesOf("alignment", World(settings))["order"], 0, 1e-12) << "crossed";
+}
+
+TEST(NamedMeasures, sharesOfNeighboursTellTheirMean)
+{
+    const World world = settled(40, 82);
+    auto values = valuesOf("coordination", world);
+    double sum = 0;
+    double mean = 0;
+    for (int neighbours = 0; neighbours <= 9; ++neighbours)
+    {
+        const double share = values["share" + std::to_string(neighbours)];
+        sum += share;
+        mean += neighbours * share;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_GT(mean, 0);
+    EXPECT_NEAR(mean, values["mean"], 1e-12);
 }
 
 TEST(NamedMeasures, aPackingThatSettlesGoesTowardsBalance)
