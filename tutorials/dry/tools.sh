@@ -2,7 +2,7 @@
 # tutorial.
 
 start=$SECONDS
-root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
+root="${CHESIL_DIR:-$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)}"
 if [ -z "${CHESIL_DIR:-}" ]
 then
     set +eu

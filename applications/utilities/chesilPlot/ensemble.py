@@ -71,7 +71,8 @@ def spread(axes, x, curves, colour, label, geometric=False):
 
 def title(options, groups):
     runs = sorted({len(cases) for _, cases in groups})
-    return options.title or f"mean and extremes of {' or '.join(map(str, runs))} runs"
+    number = " or ".join(map(str, runs))
+    return options.title or ("one run" if runs == [1] else f"mean and extremes of {number} runs")
 
 
 def draw(options):
