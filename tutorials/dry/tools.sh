@@ -74,7 +74,7 @@ biaxialRun()
     local grains="$1" shapes="$2" run="$3"
     shift 3
     newRun "$root/tutorials/dry/biaxial/case" "$run"
-    cp "$grains" "$run/grains.csv"
+    cp "$grains" "$run/constant/packed.csv"
     cp "$shapes" "$run/constant/shapes"
     parameters "$run" "$@"
     echo "endTime 1;" > "$run/constant/end"

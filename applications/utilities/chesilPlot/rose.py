@@ -86,6 +86,11 @@ def meanCurve(options, fabrics, quantity, angles):
     return np.mean([fitted(path, row, quantity, angles) for path, row in zip(options.fabric, fabrics)], axis=0)
 
 
+def threefold(runs):
+    """Bins three times as wide, about every third one: few grains leave a rose of narrow bins ragged."""
+    return (np.roll(runs, 1, axis=1) + runs + np.roll(runs, -1, axis=1))[:, ::3] / 3
+
+
 def draw(options):
     rows = [readRow(path, options.time) for path in options.files]
     time = rows[0][0]
@@ -99,7 +104,7 @@ def draw(options):
     for axes, (quantity, label) in zip(panels[0], quantities):
         curve = meanCurve(options, fabrics, quantity, angles) if fabrics else None
         runs = np.array([binsOf(path, row, quantity) for path, (_, row) in zip(options.files, rows)])
-        drawRose(axes, runs, curve)
+        drawRose(axes, runs if unit else threefold(runs), curve)
         axes.set_title(label if "[" in label else f"{label} [{unit}]", loc="center")
     if unit:
         handles = [plt.Rectangle((0, 0), 1, 1, color=colour) for colour in (POSITIVE, NEGATIVE)]
