@@ -15,8 +15,9 @@ Description
     and system/controlDict (times and writing; `adjustTimeStep yes` takes a
     share of the stable step, else deltaT is used and checked).
 
-    Writes grains.pvd with grains/grains_<n>.vtp for ParaView and
-    postProcessing/chesilDEM/<time>/world.dat.
+    Writes grains.pvd with grains/grains_<n>.vtp for ParaView,
+    postProcessing/chesilDEM/<time>/world.dat, and grains.csv, from which
+    another case can begin (type file in grainSettings.H).
 
 Usage
     \b chesilDEM [OPTION]
@@ -40,6 +41,7 @@ Usage
 
 #include "core/base/setupError.hpp"
 #include "core/io/vtkOutput.hpp"
+#include "core/io/worldGrainTable.hpp"
 
 #include <cstdlib>
 #include <exception>
@@ -49,6 +51,20 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
+//- Before the run rather than at the first write time
+static void checkTableNames(const chesil::WorldSettings& world)
+{
+    try
+    {
+        chesil::requireTableNames(world.shapes, world.materials);
+    }
+    catch (const chesil::ValueError& error)
+    {
+        throw error.at("constant/chesilProperties", "shapes, materials");
+    }
+}
+
+
 static int run(Time& runTime)
 {
     // A number out of range ends the run below, by name, not by a signal
@@ -56,6 +72,7 @@ static int run(Time& runTime)
     refuseRestart(runTime);
     const autoPtr<IOdictionary> properties = chesilProperties(runTime);
     const caseSettings settings = readCase(properties(), runTime);
+    checkTableNames(settings.world);
     chesil::World world(settings.world);
     Info<< "Grains " << label(world.bodies().size())
         << ", shapes " << label(settings.world.shapes.size())
@@ -96,6 +113,11 @@ static int run(Time& runTime)
     const auto writeState = [&]()
     {
         pictures.write(world, runTime.value());
+        chesil::writeGrainTable
+        (
+            runTime.globalPath()/"grains.csv",
+            chesil::grainRows(world, settings.world.grains)
+        );
         checkpoints.write
         (
             {runTime.value(), runTime.timeIndex(), timeStep, pictures.times()},

@@ -49,4 +49,10 @@ Shape scaled(const Shape& shape, double scale)
     return std::visit([&](const auto& original) { return Shape(scaledBy(scale, original)); }, shape);
 }
 
+NamedShape ofSize(const NamedShape& original, double size)
+{
+    return {original.name + " of size " + numberText(size) + " m", scaled(original.shape, size / diameterOf(original.shape)),
+            ScaledFrom{original.name, size}};
+}
+
 } // namespace chesil

@@ -5,6 +5,8 @@
 #include "core/shapes/ellipse.hpp"
 #include "core/shapes/polyBezier.hpp"
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -19,11 +21,20 @@ namespace chesil
 #endif
 using Shape = std::variant<CHESIL_SHAPES>;
 
+/// What a shape in a size that is not its own was made from: the original's name and the size (diameterOf) [m].
+struct ScaledFrom
+{
+    std::string name;
+    double size = 0;
+};
+
 /// A shape under the name the user knows it by.
 struct NamedShape
 {
     std::string name;
     Shape shape;
+    /// None for a shape of its own size.
+    std::optional<ScaledFrom> scaledFrom = std::nullopt;
 };
 
 inline double boundingRadius(const Shape& shape)
@@ -40,6 +51,12 @@ inline double innerRadius(const Shape& shape)
 inline MassProperties massProperties(const Shape& shape)
 {
     return std::visit([](const auto& s) { return s.massProperties(); }, shape);
+}
+
+/// Of the disk of the same area [m]: a grain's size.
+inline double diameterOf(const Shape& shape)
+{
+    return 2 * std::sqrt(massProperties(shape).area / M_PI);
 }
 
 inline Outline outline(const Shape& shape)

@@ -93,23 +93,26 @@ public:
     {
         for (const ShapeShare& one : composition.mixture)
         {
-            areas_.push_back(massProperties(shapes[static_cast<std::size_t>(one.shape)].shape).area);
+            const Shape& shape = shapes[static_cast<std::size_t>(one.shape)].shape;
+            areas_.push_back(massProperties(shape).area);
+            diameters_.push_back(diameterOf(shape));
         }
     }
 
     bool ownSize() const { return composition_.sizes.classes.empty(); }
 
-    double diameter(const Part& part) const { return scale(part) * ownDiameter(part); }
+    double scale(const Part& part) const { return diameter(part) / diameters_[part.shape]; }
     double area(const Part& part) const { return scale(part) * scale(part) * areas_[part.shape]; }
 
-    double scale(const Part& part) const
+    double diameter(const Part& part) const
     {
+        const double own = diameters_[part.shape];
         if (ownSize())
         {
-            return 1;
+            return own;
         }
         const double size = composition_.sizes.classes[part.size].size;
-        return composition_.sizes.areRatios ? size : size / ownDiameter(part);
+        return composition_.sizes.areRatios ? size * own : size;
     }
 
     double meanArea() const
@@ -128,10 +131,9 @@ public:
     }
 
 private:
-    double ownDiameter(const Part& part) const { return 2 * std::sqrt(areas_[part.shape] / M_PI); }
-
     const Composition& composition_;
     std::vector<double> areas_;
+    std::vector<double> diameters_;
 };
 
 /// Leaves out, or doubles, each grain from the last on that is no bigger than what is left of `excess`;
@@ -189,8 +191,7 @@ std::vector<int> shapesOf(const std::vector<Part>& parts, const PartTable& table
             {
                 const NamedShape original = shapes[static_cast<std::size_t>(place)];
                 place = static_cast<int>(shapes.size());
-                shapes.push_back({original.name + " of size " + numberText(table.diameter(part)) + " m",
-                                  scaled(original.shape, table.scale(part))});
+                shapes.push_back(ofSize(original, table.diameter(part)));
             }
         }
         result.push_back(place);

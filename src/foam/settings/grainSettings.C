@@ -9,8 +9,12 @@
 #include "grainChecks.H"
 #include "materialSettings.H"
 
+#include "OSspecific.H"
+
+#include "core/io/worldGrainTable.hpp"
 #include "core/world/randomInsertion.hpp"
 
+#include <filesystem>
 #include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -197,6 +201,72 @@ std::vector<GrainState> readSingle(const dictionary& dict, shapeGroups& shapes)
     return {grain};
 }
 
+//- Of the file that the entry names
+Foam::fileName grainsPath
+(
+    const checkedDictionary& entries,
+    const Foam::fileName& caseFolder
+)
+{
+    Foam::fileName path(entries.text("file"));
+    const std::string shown(path);
+    if (!path.isAbsolute())
+    {
+        path = caseFolder/path;
+    }
+    if (!Foam::isFile(path, false))
+    {
+        entries.fail
+        (
+            "file",
+            shown + ", which is no file",
+            "a table of grains as chesilDEM writes it (grains.csv), relative"
+            " to the case"
+        );
+    }
+    const std::string written(caseFolder/"grains.csv");
+    std::error_code missing;
+    if (std::filesystem::equivalent(std::string(path), written, missing))
+    {
+        entries.fail
+        (
+            "file",
+            shown + ", which runs of this case replace",
+            "a file that stays, as constant/grains.csv"
+        );
+    }
+    return path;
+}
+
+
+//- Its entry material stands in the place of the file's column
+std::vector<GrainState> readFile
+(
+    const dictionary& dict,
+    shapeGroups& shapes,
+    const Foam::materialSettings& materials,
+    const Foam::fileName& caseFolder
+)
+{
+    const checkedDictionary entries(dict, {"type", "file", "material"});
+    const Foam::fileName path = grainsPath(entries, caseFolder);
+    std::vector<chesil::GrainRow> rows = chesil::readGrainTable(path);
+    if (entries.found("material") || rows.front().material.empty())
+    {
+        const auto material = std::size_t(materials.read(entries));
+        for (chesil::GrainRow& row : rows)
+        {
+            row.material = materials.materials[material].name;
+        }
+    }
+    return underEntry(entries, "file", [&]
+    {
+        return chesil::placeGrains
+            (path, rows, shapes.shapes, materials.materials);
+    });
+}
+
+
 } // End namespace
 
 
@@ -207,7 +277,8 @@ std::vector<chesil::GrainState> Foam::readGrains
     const dictionary& dict,
     shapeGroups& shapes,
     const chesil::WorldSettings& world,
-    const materialSettings& materials
+    const materialSettings& materials,
+    const fileName& caseFolder
 )
 {
     const std::map
@@ -225,12 +296,21 @@ std::vector<chesil::GrainState> Foam::readGrains
     {
         const dictionary& sub = dict.subDict(name);
         const std::string type =
-            checkedDictionary(sub).choice("type", {"lattice", "random", "single"});
-        auto some = readers.at(type)(sub, shapes);
-        const int material = materials.read(checkedDictionary(sub));
-        for (GrainState& grain : some)
+            checkedDictionary(sub).choice
+                ("type", {"file", "lattice", "random", "single"});
+        std::vector<GrainState> some;
+        if (type == "file")
         {
-            grain.material = material;
+            some = readFile(sub, shapes, materials, caseFolder);
+        }
+        else
+        {
+            some = readers.at(type)(sub, shapes);
+            const int material = materials.read(checkedDictionary(sub));
+            for (GrainState& grain : some)
+            {
+                grain.material = material;
+            }
         }
         checkWalls(entries, name, some, shapes, world.walls);
         if (world.cell && sub.found("box"))

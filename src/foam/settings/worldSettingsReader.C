@@ -250,7 +250,11 @@ Foam::caseSettings Foam::readCase
         readShapes(entries.subDict("shapes"), runTime.globalPath());
     world.grains = readGrains
     (
-        entries.subDict("grains"), shapes, world, materials
+        entries.subDict("grains"),
+        shapes,
+        world,
+        materials,
+        runTime.globalPath()
     );
     world.contact =
         readContactLaws(entries.subDict("contact"), materials, shapes.shapes);
