@@ -152,17 +152,18 @@ LawTable<Law> readTable
                 "two of: " + chesil::listOfNames(materials)
             );
         }
-        const auto key = std::minmax
-        (
+        // A list: of two temporaries std::minmax would keep references
+        const std::pair<std::size_t, std::size_t> key = std::minmax
+        ({
             indexOf(entries, two[0], materials),
             indexOf(entries, two[1], materials)
-        );
-        if (std::count(given.begin(), given.end(), std::pair(key.first, key.second)))
+        });
+        if (std::count(given.begin(), given.end(), key))
         {
             entries.fail
                 ("materials", two[0] + " and " + two[1] + " again", "each pair once");
         }
-        given.emplace_back(key.first, key.second);
+        given.push_back(key);
         fill(key.first, key.second, &pair);
     }
     return table;
