@@ -76,19 +76,28 @@ inline Vector2 CubicBezier::at(double t) const
     return s * s * s * points_[0] + 3 * s * t * (s * points_[1] + t * points_[2]) + t * t * t * points_[3];
 }
 
-/// See doc/supportFunction.md: where the first of the three control edges rises along the direction and the last one falls.
+/// Where a segment is furthest along a direction, and how fast its rise falls there: v of doc/contactKernel.md.
 template <class Number>
-Number supportParameterWithin(Number rise0, Number rise1, Number rise2)
+struct SupportRoot
 {
-    const Number sum = squareRoot(rise1 * rise1 - rise0 * rise2) + magnitude(rise1);
+    Number parameter;
+    Number bend;
+};
+
+/// See doc/supportFunction.md: from the rises of the three control edges along the direction, the first of them not negative,
+/// the last one not positive. A quadratic's slope at its root is the root of its discriminant.
+template <class Number>
+SupportRoot<Number> supportRootWithin(const Number& rise0, const Number& rise1, const Number& rise2)
+{
+    const Number bend = squareRoot(rise1 * rise1 - rise0 * rise2);
     // The share of t before the middle, of 1 - t behind it: without a branch, which random directions mispredict.
     const auto late = rise1 > 0;
     const Number near = late ? -rise2 : rise0;
-    const Number share = near / (near + sum);
-    return late ? 1 - share : share;
+    const Number share = near / (near + (bend + magnitude(rise1)));
+    return {late ? 1 - share : share, bend};
 }
 
-/// See doc/supportFunction.md; the rises of the three control edges along the direction.
+/// See doc/supportFunction.md, for any rises.
 inline double supportParameterOfRises(double rise0, double rise1, double rise2)
 {
     if (rise0 <= 0 && rise2 >= 0)
@@ -98,16 +107,20 @@ inline double supportParameterOfRises(double rise0, double rise1, double rise2)
         return rise > 0 ? 1.0 : rise < 0 ? 0.0 : 0.5;
     }
     const double first = std::max(0.0, rise0);
-    const double last = std::min(0.0, rise2);
-    return rise1 != 0 || first > 0 ? supportParameterWithin(first, rise1, last) : 0.0;
+    return rise1 != 0 || first > 0 ? supportRootWithin(first, rise1, std::min(0.0, rise2)).parameter : 0.0;
 }
 
-/// The same of two segments.
-inline TwoLanes supportParameterOfRises(TwoLanes rise0, TwoLanes rise1, TwoLanes rise2)
+inline SupportRoot<double> supportRootAnywhere(double rise0, double rise1, double rise2)
 {
-    return areAll((rise0 > 0) & (rise2 < 0))
-        ? supportParameterWithin(rise0, rise1, rise2)
-        : TwoLanes{supportParameterOfRises(rise0[0], rise1[0], rise2[0]), supportParameterOfRises(rise0[1], rise1[1], rise2[1])};
+    const double t = supportParameterOfRises(rise0, rise1, rise2);
+    return {t, (1 - t) * (rise0 - rise1) + t * (rise1 - rise2)};
+}
+
+inline SupportRoot<TwoLanes> supportRootAnywhere(const TwoLanes& rise0, const TwoLanes& rise1, const TwoLanes& rise2)
+{
+    const SupportRoot<double> first = supportRootAnywhere(rise0[0], rise1[0], rise2[0]);
+    const SupportRoot<double> second = supportRootAnywhere(rise0[1], rise1[1], rise2[1]);
+    return {TwoLanes{first.parameter, second.parameter}, TwoLanes{first.bend, second.bend}};
 }
 
 /// A CurvedPoint in coordinates, of one segment (double) or of two (TwoLanes).
@@ -132,20 +145,22 @@ CurvedCoordinates<Number> curvedSupportOf(
     const Number y0 = y[1] - y[0], y1 = y[2] - y[1], y2 = y[3] - y[2];
     const Number rise0 = nx * x0 + ny * y0, rise1 = nx * x1 + ny * y1, rise2 = nx * x2 + ny * y2;
     const Number along0 = nx * y0 - ny * x0, along1 = nx * y1 - ny * x1, along2 = nx * y2 - ny * x2;
-    const Number t = supportParameterOfRises(rise0, rise1, rise2);
+    const bool within = areAll((rise0 > 0) & (rise2 < 0));
+    const SupportRoot<Number> root =
+        within ? supportRootWithin(rise0, rise1, rise2) : supportRootAnywhere(rise0, rise1, rise2);
+    const Number t = root.parameter;
     const Number s = 1 - t;
     const Number ss = s * s, st = 2 * (s * t), tt = t * t;
     const Number w0 = ss * s, w1 = 1.5 * st * s, w2 = 1.5 * st * t, w3 = tt * t;
 
     // doc/contactKernel.md, "Second-order data".
     const Number speed = ss * along0 + st * along1 + tt * along2;
-    const Number bend0 = rise0 - rise1, bend1 = rise1 - rise2;
-    const Number bend = s * bend0 + t * bend1;
+    const Number bend = root.bend;
     const Number inverse = 1 / bend;
     const Number pace = speed * inverse;
     const Number gain0 = along1 - along0, gain1 = along2 - along1;
     const Number gain = s * gain0 + t * gain1;
-    const Number twist = pace * (bend1 - bend0);
+    const Number twist = pace * ((rise1 - rise2) - (rise0 - rise1));
     const Number square = 0.375 * (pace * pace);
     const Number inner = 12 * gain - 2 * twist;
     const Number change = (4 * gain - twist) * inverse * (inner - twist);
