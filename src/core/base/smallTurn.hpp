@@ -13,8 +13,9 @@ constexpr double smallTurn = 1e-2;
 inline Vector2 turnedBy(double angle, const Vector2& vector)
 {
     const double square = angle * angle;
-    const double versine = square / 2 * (1 - square / 12 * (1 - square / 30));
-    return vector - versine * vector + angle * (1 - square / 6 * (1 - square / 20)) * perpendicular(vector);
+    const double versine = 0.5 * square * (1 - (1.0 / 12) * square * (1 - (1.0 / 30) * square));
+    const double sine = angle * (1 - (1.0 / 6) * square * (1 - (1.0 / 20) * square));
+    return vector - versine * vector + sine * perpendicular(vector);
 }
 
 } // namespace chesil

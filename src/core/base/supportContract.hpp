@@ -66,6 +66,8 @@ struct StraightSide
 ///   normal is nearest, null if there is none; straightSideBetween(from, to): pointer to one whose normal lies within
 ///   the turn of less than 180 degrees, either way, from one normal to the other (both excluded by
 ///   tolerances::sameNormal), the middle one of many, null if there is none.
+///
+/// Optional, for pairs of two such shapes: curvedSupports(a, b, x, y), curvedSupport of two grains side by side.
 template <class ShapeType, class = void>
 struct OffersCurvature : std::false_type
 {
@@ -73,6 +75,16 @@ struct OffersCurvature : std::false_type
 
 template <class ShapeType>
 struct OffersCurvature<ShapeType, std::void_t<decltype(std::declval<const ShapeType&>().leastRadius())>> : std::true_type
+{
+};
+
+template <class ShapeType, class = void>
+struct OffersPairedSupport : std::false_type
+{
+};
+
+template <class ShapeType>
+struct OffersPairedSupport<ShapeType, std::void_t<decltype(&ShapeType::curvedSupports)>> : std::true_type
 {
 };
 

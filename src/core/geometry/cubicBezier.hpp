@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/supportContract.hpp"
+#include "core/base/twoLanes.hpp"
 #include "core/base/vector.hpp"
 
 #include <algorithm>
@@ -75,7 +76,28 @@ inline Vector2 CubicBezier::at(double t) const
     return s * s * s * points_[0] + 3 * s * t * (s * points_[1] + t * points_[2]) + t * t * t * points_[3];
 }
 
-/// See doc/supportFunction.md; the rises of the three control edges along the direction.
+/// Where a segment is furthest along a direction, and how fast its rise falls there: v of doc/contactKernel.md.
+template <class Number>
+struct SupportRoot
+{
+    Number parameter;
+    Number bend;
+};
+
+/// See doc/supportFunction.md: from the rises of the three control edges along the direction, the first of them not negative,
+/// the last one not positive. A quadratic's slope at its root is the root of its discriminant.
+template <class Number>
+SupportRoot<Number> supportRootWithin(const Number& rise0, const Number& rise1, const Number& rise2)
+{
+    const Number bend = squareRoot(rise1 * rise1 - rise0 * rise2);
+    // The share of t before the middle, of 1 - t behind it: without a branch, which random directions mispredict.
+    const auto late = rise1 > 0;
+    const Number near = late ? -rise2 : rise0;
+    const Number share = near / (near + (bend + magnitude(rise1)));
+    return {late ? 1 - share : share, bend};
+}
+
+/// See doc/supportFunction.md, for any rises.
 inline double supportParameterOfRises(double rise0, double rise1, double rise2)
 {
     if (rise0 <= 0 && rise2 >= 0)
@@ -84,56 +106,105 @@ inline double supportParameterOfRises(double rise0, double rise1, double rise2)
         const double rise = rise0 + rise1 + rise2;
         return rise > 0 ? 1.0 : rise < 0 ? 0.0 : 0.5;
     }
-    const double a0 = std::max(0.0, rise0);
-    const double a2 = std::min(0.0, rise2);
-    const double sum = std::sqrt(rise1 * rise1 - a0 * a2) + std::abs(rise1);
-    // The share of t before the middle, of 1 - t behind it: without a branch, which random directions mispredict.
-    const double late = rise1 > 0 ? 1 : 0;
-    const double near = late * -a2 + (1 - late) * a0;
-    const double whole = near + sum;
-    return whole > 0 ? std::abs(late - near / whole) : 0.0;
+    const double first = std::max(0.0, rise0);
+    return rise1 != 0 || first > 0 ? supportRootWithin(first, rise1, std::min(0.0, rise2)).parameter : 0.0;
+}
+
+inline SupportRoot<double> supportRootAnywhere(double rise0, double rise1, double rise2)
+{
+    const double t = supportParameterOfRises(rise0, rise1, rise2);
+    return {t, (1 - t) * (rise0 - rise1) + t * (rise1 - rise2)};
+}
+
+inline SupportRoot<TwoLanes> supportRootAnywhere(const TwoLanes& rise0, const TwoLanes& rise1, const TwoLanes& rise2)
+{
+    const SupportRoot<double> first = supportRootAnywhere(rise0[0], rise1[0], rise2[0]);
+    const SupportRoot<double> second = supportRootAnywhere(rise0[1], rise1[1], rise2[1]);
+    return {TwoLanes{first.parameter, second.parameter}, TwoLanes{first.bend, second.bend}};
+}
+
+/// A CurvedPoint in coordinates, of one segment (double) or of two (TwoLanes).
+template <class Number>
+struct CurvedCoordinates
+{
+    Number x;
+    Number y;
+    Number radius;
+    Number radiusFirst;
+    Number radiusSecond;
+    Number room;
+};
+
+/// Along the unit normal (nx, ny), of the segment with these control points. In coordinates, since this is the hottest line
+/// of all: Eigen's temporaries cost a third.
+template <class Number>
+CurvedCoordinates<Number> curvedSupportOf(
+    const std::array<Number, 4>& x, const std::array<Number, 4>& y, const Number& nx, const Number& ny)
+{
+    const Number x0 = x[1] - x[0], x1 = x[2] - x[1], x2 = x[3] - x[2];
+    const Number y0 = y[1] - y[0], y1 = y[2] - y[1], y2 = y[3] - y[2];
+    const Number rise0 = nx * x0 + ny * y0, rise1 = nx * x1 + ny * y1, rise2 = nx * x2 + ny * y2;
+    const Number along0 = nx * y0 - ny * x0, along1 = nx * y1 - ny * x1, along2 = nx * y2 - ny * x2;
+    const bool within = areAll((rise0 > 0) & (rise2 < 0));
+    const SupportRoot<Number> root =
+        within ? supportRootWithin(rise0, rise1, rise2) : supportRootAnywhere(rise0, rise1, rise2);
+    const Number t = root.parameter;
+    const Number s = 1 - t;
+    const Number ss = s * s, st = 2 * (s * t), tt = t * t;
+    const Number w0 = ss * s, w1 = 1.5 * st * s, w2 = 1.5 * st * t, w3 = tt * t;
+
+    // doc/contactKernel.md, "Second-order data".
+    const Number speed = ss * along0 + st * along1 + tt * along2;
+    const Number bend = root.bend;
+    const Number inverse = 1 / bend;
+    const Number pace = speed * inverse;
+    const Number gain0 = along1 - along0, gain1 = along2 - along1;
+    const Number gain = s * gain0 + t * gain1;
+    const Number twist = pace * ((rise1 - rise2) - (rise0 - rise1));
+    const Number square = 0.375 * (pace * pace);
+    const Number inner = 12 * gain - 2 * twist;
+    const Number change = (4 * gain - twist) * inverse * (inner - twist);
+    // The curve's end is the arc 3 u min(t, s) away, to first order.
+    const Number end = t < s ? t : s;
+    CurvedCoordinates<Number> result{
+        (w0 * x[0] + w1 * x[1]) + (w2 * x[2] + w3 * x[3]),
+        (w0 * y[0] + w1 * y[1]) + (w2 * y[2] + w3 * y[3]),
+        1.5 * speed * pace,
+        square * inner,
+        square * (change + (8 * pace * (gain1 - gain0) + 12 * bend)),
+        2 * end / pace};
+    const auto curved = (bend > 0) & (speed > 0);
+    if (!areAll(curved))
+    {
+        const Number none = 0 * s;
+        const Number infinite = none + std::numeric_limits<double>::infinity();
+        const auto moves = speed != 0;
+        result.radius = curved ? result.radius : moves ? infinite : none;
+        result.radiusFirst = moves ? result.radiusFirst : none;
+        result.radiusSecond = moves ? result.radiusSecond : none;
+        result.room = curved ? result.room : none;
+    }
+    return result;
 }
 
 inline CurvedPoint<2> CubicBezier::curvedSupport(const Vector2& normal) const
 {
-    // In coordinates, since this is the hottest line of all: Eigen's temporaries cost a third.
-    const double nx = normal.x();
-    const double ny = normal.y();
-    const double x0 = points_[1].x() - points_[0].x(), y0 = points_[1].y() - points_[0].y();
-    const double x1 = points_[2].x() - points_[1].x(), y1 = points_[2].y() - points_[1].y();
-    const double x2 = points_[3].x() - points_[2].x(), y2 = points_[3].y() - points_[2].y();
-    const double rise0 = nx * x0 + ny * y0;
-    const double rise1 = nx * x1 + ny * y1;
-    const double rise2 = nx * x2 + ny * y2;
-    const double t = supportParameterOfRises(rise0, rise1, rise2);
-    const double s = 1 - t;
-    const double ss = s * s, st = 2 * s * t, tt = t * t;
-    const double along0 = nx * y0 - ny * x0, along1 = nx * y1 - ny * x1, along2 = nx * y2 - ny * x2;
-    const double speed = ss * along0 + st * along1 + tt * along2;
-    const double bend0 = rise0 - rise1, bend1 = rise1 - rise2;
-    const double bend = s * bend0 + t * bend1;
-    CurvatureRadius radius;
-    if (speed != 0)
-    {
-        // doc/contactKernel.md, "The radius of curvature and its derivatives".
-        const double inverse = 1 / bend;
-        const double pace = speed * inverse;
-        const double gain = s * (along1 - along0) + t * (along2 - along1);
-        const double twist = bend1 - bend0;
-        const double jerk = along0 - 2 * along1 + along2;
-        radius.value = bend > 0 ? 1.5 * speed * pace : std::numeric_limits<double>::infinity();
-        const double square = 0.375 * pace * pace;
-        const double inner = 12 * gain - 2 * pace * twist;
-        radius.first = square * inner;
-        const double paceChange = (4 * gain - pace * twist) * inverse;
-        radius.second = square * (paceChange * (inner - pace * twist) + 8 * pace * jerk + 12 * bend);
-    }
-    const double w0 = ss * s, w1 = 1.5 * st * s, w2 = 1.5 * st * t, w3 = tt * t;
-    const double x = (w0 * points_[0].x() + w1 * points_[1].x()) + (w2 * points_[2].x() + w3 * points_[3].x());
-    const double y = (w0 * points_[0].y() + w1 * points_[1].y()) + (w2 * points_[2].y() + w3 * points_[3].y());
-    // The curve's end is the arc 3 u min(t, s) away, to first order.
-    const double room = radius.value > 0 ? 3 * std::abs(speed) * std::min(t, s) / radius.value : 0;
-    return {Vector2(x, y), radius, room};
+    const CurvedCoordinates<double> found = curvedSupportOf<double>(
+        {points_[0].x(), points_[1].x(), points_[2].x(), points_[3].x()},
+        {points_[0].y(), points_[1].y(), points_[2].y(), points_[3].y()},
+        normal.x(),
+        normal.y());
+    return {Vector2(found.x, found.y), {found.radius, found.radiusFirst, found.radiusSecond}, found.room};
+}
+
+/// The support points of two segments along the unit normals (nx[0], ny[0]) and (nx[1], ny[1]), as curvedSupport.
+inline CurvedCoordinates<TwoLanes> curvedSupports(const CubicBezier& a, const CubicBezier& b, const TwoLanes& nx, const TwoLanes& ny)
+{
+    const std::array<Vector2, 4>& p = a.controlPoints();
+    const std::array<Vector2, 4>& q = b.controlPoints();
+    const auto x = [&](std::size_t i) { return TwoLanes{p[i].x(), q[i].x()}; };
+    const auto y = [&](std::size_t i) { return TwoLanes{p[i].y(), q[i].y()}; };
+    return curvedSupportOf<TwoLanes>({x(0), x(1), x(2), x(3)}, {y(0), y(1), y(2), y(3)}, nx, ny);
 }
 
 } // namespace chesil

@@ -2,10 +2,12 @@
 
 #include "core/base/pose.hpp"
 #include "core/base/supportContract.hpp"
+#include "core/base/twoLanes.hpp"
 #include "core/base/vector.hpp"
 #include "core/narrowphase/queryCost.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace chesil
 {
@@ -65,7 +67,14 @@ public:
     CurvedVertex<Dim> curvedSupport(const Vector<Dim>& normal) const
     {
         Cost::countSupport();
-        return joined(curvedOnA(normal), curvedOnB(normal));
+        if constexpr (std::is_same_v<ShapeA, ShapeB> && OffersPairedSupport<ShapeA>::value)
+        {
+            return curvedSupportSideBySide(normal);
+        }
+        else
+        {
+            return joined(curvedOnA(normal), curvedOnB(normal));
+        }
     }
 
     /// From A's centroid to B's [m].
@@ -163,6 +172,27 @@ public:
     void countSweep() const { Cost::countSweep(); }
 
 private:
+    CurvedVertex<2> curvedSupportSideBySide(const Vector2& normal) const
+    {
+        const Vector2 turnA = rotationA_.direction();
+        const Vector2 turnB = rotationB_.direction();
+        const TwoLanes cosine{turnA.x(), turnB.x()};
+        const TwoLanes sine{turnA.y(), turnB.y()};
+        const TwoLanes x{normal.x(), -normal.x()};
+        const TwoLanes y{normal.y(), -normal.y()};
+        const auto found = ShapeA::curvedSupports(a_, b_, cosine * x + sine * y, cosine * y - sine * x);
+        const TwoLanes worldX = cosine * found.x - sine * found.y;
+        const TwoLanes worldY = sine * found.x + cosine * found.y;
+        const CurvatureRadius radiusA{found.radius[0], found.radiusFirst[0], found.radiusSecond[0]};
+        const CurvatureRadius radiusB{found.radius[1], found.radiusFirst[1], found.radiusSecond[1]};
+        return {
+            Vector2(worldX[0] - worldX[1] - centreToCentre_.x(), worldY[0] - worldY[1] - centreToCentre_.y()),
+            Vector2(worldX[0], worldY[0]),
+            radiusA + radiusB,
+            radiusA,
+            std::min(found.room[0], found.room[1])};
+    }
+
     CurvedPoint<Dim> curvedOnA(const Vector<Dim>& normal) const
     {
         const CurvedPoint<Dim> local = a_.curvedSupport(rotationA_.applyInverse(normal));

@@ -64,6 +64,24 @@ inline Penetration<2> penetrationIn(const Valley& valley)
     return {status, valley.normal, valley.height, valley.onA - valley.height / 2 * valley.normal};
 }
 
+/// By all directions, what the nearest valley cannot prove. Not inlined: it is rare, and its memory large.
+template <class Difference>
+[[gnu::noinline]] Penetration<2> penetrationBySweep(const Difference& difference, const Valley& valley)
+{
+    difference.countSweep();
+    const SweptValley swept = SectorSweep<Difference>(difference, valley).run();
+    if (swept.status == SweepStatus::notFinite)
+    {
+        return {PairStatus::notFinite, valley.normal, 0, Vector2::Zero()};
+    }
+    Penetration<2> result = penetrationIn(swept.valley);
+    if (swept.status == SweepStatus::capacityReached && result.status == PairStatus::overlapping)
+    {
+        result.status = PairStatus::coarse;
+    }
+    return result;
+}
+
 /// Contact of two shapes by the nearest valley from `normal` (unit), which last step's normal makes one or two support
 /// calls. A direction that separates them ends the search. What the valley cannot prove, a sweep over all
 /// directions does.
@@ -82,18 +100,7 @@ Penetration<2> penetration(const Difference& difference, const Vector2& normal)
         return penetrationIn(valley);
     }
 
-    difference.countSweep();
-    const SweptValley swept = SectorSweep<Difference>(difference, valley).run();
-    if (swept.status == SweepStatus::notFinite)
-    {
-        return {PairStatus::notFinite, normal, 0, Vector2::Zero()};
-    }
-    Penetration<2> result = penetrationIn(swept.valley);
-    if (swept.status == SweepStatus::capacityReached && result.status == PairStatus::overlapping)
-    {
-        result.status = PairStatus::coarse;
-    }
-    return result;
+    return penetrationBySweep(difference, valley);
 }
 
 } // namespace chesil

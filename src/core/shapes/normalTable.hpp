@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/base/tolerances.hpp"
+#include "core/base/twoLanes.hpp"
 #include "core/base/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -87,16 +87,16 @@ private:
                                                 keys_.begin(), keys_.end(), [&](double key) { return angle.isFrom(key); })
                                             - keys_.begin());
         }
-        std::int64_t count = 0;
         const double* keys = keys_.data();
+        const TwoLanes share{angle.share, angle.share};
+        TwoVerdicts count{0, 0};
         for (std::size_t i = 0; i < keys_.size(); i += keysAtATime)
         {
-            for (std::size_t k = 0; k < keysAtATime; ++k)
-            {
-                count += angle.isFrom(keys[i + k]) ? 1 : 0;
-            }
+            // A true verdict is -1.
+            count -= TwoLanes{keys[i], keys[i + 1]} * angle.whole <= share;
+            count -= TwoLanes{keys[i + 2], keys[i + 3]} * angle.whole <= share;
         }
-        return static_cast<std::size_t>(count);
+        return static_cast<std::size_t>(count[0] + count[1]);
     }
 
     static constexpr std::size_t keysAtATime = 4;

@@ -51,11 +51,27 @@ public:
         CurvedPoint<2> result = curves_[piece].curvedSupport(normal);
         if (result.radius.value == 0)
         {
-            const OutlineStretch& corner = stretches_[piece];
-            result.room = std::max(0.0, std::min(cross(corner.firstNormal, normal), cross(normal, corner.lastNormal)));
+            result.room = roomAtCorner(piece, normal);
         }
         return result;
     }
+
+    /// The same of two grains at once, each along a unit normal (x[0], y[0]), (x[1], y[1]) in its own frame.
+    static CurvedCoordinates<TwoLanes> curvedSupports(const PolyBezier& a, const PolyBezier& b, const TwoLanes& x, const TwoLanes& y)
+    {
+        const Vector2 normalA(x[0], y[0]);
+        const Vector2 normalB(x[1], y[1]);
+        const std::size_t pieceA = a.normals_.find(normalA);
+        const std::size_t pieceB = b.normals_.find(normalB);
+        CurvedCoordinates<TwoLanes> result = chesil::curvedSupports(a.curves_[pieceA], b.curves_[pieceB], x, y);
+        if (!areAll(result.radius != 0))
+        {
+            const TwoLanes rooms{a.roomAtCorner(pieceA, normalA), b.roomAtCorner(pieceB, normalB)};
+            result.room = result.radius == 0 ? rooms : result.room;
+        }
+        return result;
+    }
+
     OutlineStretch stretchAt(const Vector2& normal) const { return stretches_[normals_.find(normal)]; }
     double leastRadiusBetween(const Vector2& first, const Vector2& last) const;
     double leastRadius() const { return leastRadius_; }
@@ -69,6 +85,12 @@ public:
     Outline outline() const { return Outline(segments_.begin(), segments_.end()); }
 
 private:
+    double roomAtCorner(std::size_t piece, const Vector2& normal) const
+    {
+        const OutlineStretch& corner = stretches_[piece];
+        return std::max(0.0, std::min(cross(corner.firstNormal, normal), cross(normal, corner.lastNormal)));
+    }
+
     std::vector<CubicBezier> segments_;
     Vector2 givenCentroid_ = Vector2::Zero();
     /// The segments and, as curves of no length, the corners between them.
