@@ -18,7 +18,7 @@ class Field
 {
 public:
     Field(const WordReader& reader, const std::string& column, const std::string& text)
-    : reader_(reader), column_(column), text_(text)
+        : reader_(reader), column_(column), text_(text)
     {
     }
 
@@ -63,7 +63,10 @@ public:
     }
 
 private:
-    SetupError fail(const std::string& expected) const { return reader_.fail(column_ + " '" + text_ + "'", expected); }
+    SetupError fail(const std::string& expected) const
+    {
+        return reader_.fail(column_ + " '" + text_ + "'", expected);
+    }
 
     const WordReader& reader_;
     const std::string& column_;
@@ -85,7 +88,8 @@ const std::vector<Column> columns{
     {"angle", false, [](GrainRow& row, const Field& field) { row.angle = field.number(); }},
     {"vx", false, [](GrainRow& row, const Field& field) { row.velocity.x() = field.number(); }},
     {"vy", false, [](GrainRow& row, const Field& field) { row.velocity.y() = field.number(); }},
-    {"angularVelocity", false, [](GrainRow& row, const Field& field) { row.angularVelocity = field.number(); }},
+    {"angularVelocity", false,
+     [](GrainRow& row, const Field& field) { row.angularVelocity = field.number(); }},
     {"material", false, [](GrainRow& row, const Field& field) { row.material = field.name(); }},
     {"driven", false, [](GrainRow& row, const Field& field) { row.driven = field.flag(); }}};
 
@@ -125,7 +129,8 @@ std::vector<std::string> fieldsOf(const std::vector<std::string>& words)
 
 const Column& columnNamed(const WordReader& reader, const std::string& name)
 {
-    const auto column = std::find_if(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
+    const auto column =
+        std::find_if(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
     if (column == columns.end())
     {
         throw reader.fail("the column '" + name + "'", "one of " + knownColumns());
@@ -156,7 +161,8 @@ std::vector<Column> readHeader(WordReader& reader)
     return header;
 }
 
-GrainRow readRow(const WordReader& reader, const std::vector<Column>& header, const std::vector<std::string>& words)
+GrainRow readRow(const WordReader& reader, const std::vector<Column>& header,
+                 const std::vector<std::string>& words)
 {
     const std::vector<std::string> fields = fieldsOf(words);
     if (fields.size() != header.size())
@@ -166,7 +172,8 @@ GrainRow readRow(const WordReader& reader, const std::vector<Column>& header, co
         {
             names.push_back(column.name);
         }
-        throw reader.fail(std::to_string(fields.size()) + " fields", std::to_string(header.size()) + ": " + listOfNames(names));
+        throw reader.fail(std::to_string(fields.size()) + " fields",
+                          std::to_string(header.size()) + ": " + listOfNames(names));
     }
     GrainRow row;
     row.line = reader.lineNumber();
@@ -230,8 +237,8 @@ void writeRow(std::ostream& file, const TableWidth& width, const GrainRow& row)
     {
         writeNumber(file, *row.size);
     }
-    for (const double value : {row.position.x(), row.position.y(), row.angle, row.velocity.x(), row.velocity.y(),
-                               row.angularVelocity})
+    for (const double value : {row.position.x(), row.position.y(), row.angle, row.velocity.x(),
+                               row.velocity.y(), row.angularVelocity})
     {
         writeNumber(file, value);
     }
@@ -281,7 +288,8 @@ void requireTableName(const std::string& name)
 {
     if (name.empty() || name.find_first_of(",#\"' \t\r\n\v\f") != std::string::npos)
     {
-        throw ValueError("the name '" + name + "'", "one word without comma, quotes and #, to stand in a table of grains");
+        throw ValueError("the name '" + name + "'",
+                         "one word without comma, quotes and #, to stand in a table of grains");
     }
 }
 

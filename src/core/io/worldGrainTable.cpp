@@ -53,10 +53,12 @@ public:
         {
             return original->second;
         }
-        const auto [place, isNew] = places_.try_emplace({row.shape, *row.size}, static_cast<int>(shapes_.size()));
+        const auto [place, isNew] =
+            places_.try_emplace({row.shape, *row.size}, static_cast<int>(shapes_.size()));
         if (isNew)
         {
-            shapes_.push_back(scaledFor(row, NamedShape(shapes_[static_cast<std::size_t>(original->second)])));
+            shapes_.push_back(
+                scaledFor(row, NamedShape(shapes_[static_cast<std::size_t>(original->second)])));
         }
         return place->second;
     }
@@ -137,7 +139,8 @@ void requireTableNames(const std::vector<NamedShape>& shapes, const std::vector<
         requireTableName(shape.name);
         if (!names.insert(shape.name).second)
         {
-            throw ValueError("two shapes " + shape.name, "a name of its own for each shape, to stand in a table of grains");
+            throw ValueError("two shapes " + shape.name,
+                             "a name of its own for each shape, to stand in a table of grains");
         }
     }
     for (const Material& material : materials)

@@ -51,8 +51,8 @@ Shape scaled(const Shape& shape, double scale)
 
 NamedShape ofSize(const NamedShape& original, double size)
 {
-    return {original.name + " of size " + numberText(size) + " m", scaled(original.shape, size / diameterOf(original.shape)),
-            ScaledFrom{original.name, size}};
+    return {original.name + " of size " + numberText(size) + " m",
+            scaled(original.shape, size / diameterOf(original.shape)), ScaledFrom{original.name, size}};
 }
 
 } // namespace chesil

@@ -7,14 +7,11 @@
 #include "checkedDictionary.H"
 #include "compositionSettings.H"
 #include "grainChecks.H"
+#include "grainFileSettings.H"
 #include "materialSettings.H"
 
-#include "OSspecific.H"
-
-#include "core/io/worldGrainTable.hpp"
 #include "core/world/randomInsertion.hpp"
 
-#include <filesystem>
 #include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -201,71 +198,6 @@ std::vector<GrainState> readSingle(const dictionary& dict, shapeGroups& shapes)
     return {grain};
 }
 
-//- Of the file that the entry names
-Foam::fileName grainsPath
-(
-    const checkedDictionary& entries,
-    const Foam::fileName& caseFolder
-)
-{
-    Foam::fileName path(entries.text("file"));
-    const std::string shown(path);
-    if (!path.isAbsolute())
-    {
-        path = caseFolder/path;
-    }
-    if (!Foam::isFile(path, false))
-    {
-        entries.fail
-        (
-            "file",
-            shown + ", which is no file",
-            "a table of grains as chesilDEM writes it (grains.csv), relative"
-            " to the case"
-        );
-    }
-    const std::string written(caseFolder/"grains.csv");
-    std::error_code missing;
-    if (std::filesystem::equivalent(std::string(path), written, missing))
-    {
-        entries.fail
-        (
-            "file",
-            shown + ", which runs of this case replace",
-            "a file that stays, as constant/grains.csv"
-        );
-    }
-    return path;
-}
-
-
-//- Its entry material stands in the place of the file's column
-std::vector<GrainState> readFile
-(
-    const dictionary& dict,
-    shapeGroups& shapes,
-    const Foam::materialSettings& materials,
-    const Foam::fileName& caseFolder
-)
-{
-    const checkedDictionary entries(dict, {"type", "file", "material"});
-    const Foam::fileName path = grainsPath(entries, caseFolder);
-    std::vector<chesil::GrainRow> rows = chesil::readGrainTable(path);
-    if (entries.found("material") || rows.front().material.empty())
-    {
-        const auto material = std::size_t(materials.read(entries));
-        for (chesil::GrainRow& row : rows)
-        {
-            row.material = materials.materials[material].name;
-        }
-    }
-    return underEntry(entries, "file", [&]
-    {
-        return chesil::placeGrains
-            (path, rows, shapes.shapes, materials.materials);
-    });
-}
-
 
 } // End namespace
 
@@ -301,7 +233,7 @@ std::vector<chesil::GrainState> Foam::readGrains
         std::vector<GrainState> some;
         if (type == "file")
         {
-            some = readFile(sub, shapes, materials, caseFolder);
+            some = readGrainFile(sub, shapes, materials, caseFolder);
         }
         else
         {

@@ -27,7 +27,8 @@ protected:
         return readGrainTable(path());
     }
 
-    void refuses(const std::string& content, std::size_t line, const std::string& found, const std::string& expected) const
+    void refuses(const std::string& content, std::size_t line, const std::string& found,
+                 const std::string& expected) const
     {
         const auto error = test::errorOf<SetupError>([&] { rowsOf(content); });
         EXPECT_EQ(error.file(), path());
@@ -114,7 +115,8 @@ TEST_F(GrainTable, isPlainText)
 
 TEST_F(GrainTable, takesColumnsInAnyOrderAndDefaultsForTheOthers)
 {
-    const std::vector<GrainRow> rows = rowsOf("# settled\n\ny, shape ,x\r\n2,ball,1\n# one more\n-1e-3 , egg, 0x10 # here\n");
+    const std::vector<GrainRow> rows =
+        rowsOf("# settled\n\ny, shape ,x\r\n2,ball,1\n# one more\n-1e-3 , egg, 0x10 # here\n");
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0].shape, "ball");
     EXPECT_EQ(rows[0].position, Vector2(1, 2));

@@ -29,8 +29,10 @@ protected:
     void refuses(const GrainRow& row, const std::string& found, const std::string& expected) const
     {
         std::vector<NamedShape> shapes{{"ball", Circle(1)}, {"egg", Ellipse(2, 1)}};
-        const auto error =
-            test::errorOf<SetupError>([&] { placeGrains("some.csv", {{"ball"}, row}, shapes, {{"quartz", 1}, {"glass", 1}}); });
+        const auto error = test::errorOf<SetupError>(
+            [&] {
+                placeGrains("some.csv", {{"ball"}, row}, shapes, {{"quartz", 1}, {"glass", 1}});
+            });
         EXPECT_EQ(error.file(), "some.csv");
         EXPECT_EQ(error.entry(), "line 7");
         EXPECT_EQ(error.found(), found);
@@ -95,7 +97,8 @@ std::vector<Vector2> controlPoints(const Shape& shape)
 
 TEST_F(WorldGrainTable, givesTheSameGrainsToTheBit)
 {
-    const std::vector<SizeDistribution> distributions{UniformRatio(0.3, 1.1), LognormalSize(0.03, 0.4, 0.02, 0.07),
+    const std::vector<SizeDistribution> distributions{UniformRatio(0.3, 1.1),
+                                                      LognormalSize(0.03, 0.4, 0.02, 0.07),
                                                       SieveCurve({0.01, 0.03, 0.06}, {0, 0.4, 1})};
     std::uint64_t seed = 1;
     for (const SizeDistribution& distribution : distributions)
@@ -118,7 +121,8 @@ TEST_F(WorldGrainTable, givesTheSameGrainsToTheBit)
         for (std::size_t i = 0; i < grains.size(); ++i)
         {
             used.insert(grains[i].shape);
-            EXPECT_EQ(controlPoints(shapes[std::size_t(grains[i].shape)].shape), controlPoints(world.shapeOf(i)));
+            EXPECT_EQ(controlPoints(shapes[std::size_t(grains[i].shape)].shape),
+                      controlPoints(world.shapeOf(i)));
             EXPECT_EQ(grains[i].position, world.bodies().pose[i].position);
             EXPECT_EQ(grains[i].angle, world.bodies().pose[i].rotation.angle());
             EXPECT_EQ(grains[i].velocity, world.bodies().velocity[i]);
@@ -191,7 +195,10 @@ TEST_F(WorldGrainTable, refusesShapesThatNoNameTells)
     const std::vector<Material> materials{{"quartz", 1}};
     const NamedShape ball{"ball", Circle(1)};
     EXPECT_NO_THROW(requireTableNames({ball, ofSize(ball, 1), ofSize(ball, 3)}, materials));
-    const auto error = test::errorOf<ValueError>([&] { requireTableNames({ball, {"ball", Circle(2)}}, materials); });
+    const auto error = test::errorOf<ValueError>(
+        [&] {
+            requireTableNames({ball, {"ball", Circle(2)}}, materials);
+        });
     EXPECT_EQ(error.found(), "two shapes ball");
     EXPECT_THROW(requireTableNames({{"a,b", Circle(1)}}, materials), ValueError);
     EXPECT_THROW(requireTableNames({ball}, {{"a#b", 1}}), ValueError);
