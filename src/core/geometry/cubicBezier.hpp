@@ -14,8 +14,8 @@ namespace chesil
 {
 
 /// A planar cubic Bezier segment B(t), 0 <= t <= 1, with control points in the grain's frame [m].
-/// Source: Lai & Huang, polybezier model, eqs. (1)-(9).
-class CubicBezier
+/// Source: Lai & Huang, polybezier model, eqs. (1)-(9). It fills one cache line.
+class alignas(64) CubicBezier
 {
 public:
     CubicBezier() = default;

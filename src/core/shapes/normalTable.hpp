@@ -60,10 +60,8 @@ public:
         const std::size_t first = beyond == keys_.end() ? 0 : static_cast<std::size_t>(beyond - keys_.begin());
         std::for_each(beyond, keys_.end(), [](double& key) { key -= turn; });
         std::rotate(keys_.begin(), beyond, keys_.end());
-        for (std::size_t passed = 0; passed <= size; ++passed)
-        {
-            pieces_.push_back((first + (passed + size - 1) % size) % size);
-        }
+        size_ = size;
+        pieceBeforeAll_ = (first + size - 1) % size;
         while (keys_.size() % keysAtATime != 0)
         {
             keys_.push_back(std::numeric_limits<double>::infinity());
@@ -73,7 +71,8 @@ public:
     /// The piece whose range of normals, up to the next piece's start, holds the direction.
     std::size_t find(const Vector2& direction) const
     {
-        return pieces_[keysUpTo(DiamondAngle(direction))];
+        const std::size_t piece = pieceBeforeAll_ + keysUpTo(DiamondAngle(direction));
+        return piece < size_ ? piece : piece - size_;
     }
 
 private:
@@ -95,16 +94,18 @@ private:
             // A true verdict is -1.
             count -= TwoLanes{keys[i], keys[i + 1]} * angle.whole <= share;
             count -= TwoLanes{keys[i + 2], keys[i + 3]} * angle.whole <= share;
+            count -= TwoLanes{keys[i + 4], keys[i + 5]} * angle.whole <= share;
         }
         return static_cast<std::size_t>(count[0] + count[1]);
     }
 
-    static constexpr std::size_t keysAtATime = 4;
+    static constexpr std::size_t keysAtATime = 6;
 
     /// Sorted, filled up with infinity to whole groups of keysAtATime.
     std::vector<double> keys_;
-    /// The piece for each number of keys passed, from none to all.
-    std::vector<std::size_t> pieces_;
+    std::size_t size_ = 0;
+    /// The piece of a direction that no key has passed; each key passed is one piece more.
+    std::size_t pieceBeforeAll_ = 0;
 };
 
 } // namespace chesil
