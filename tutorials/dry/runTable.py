@@ -21,6 +21,10 @@ def last(case, measure, name):
     return column(str(case), heads, columns, name)[0][-1]
 
 
+# When pressing on all sides ends and loading begins, tools.sh [s]
+CONSOLIDATION = 2.0
+
+
 class Table:
     """CSV: name, mean, least and most over the runs, number of runs, what the paper says."""
 
