@@ -48,7 +48,7 @@ def draw(options):
         spread(left, 100 * strain, ratios, style.SERIES_COLOURS[number], label)
         spread(right, 100 * strain, 100 * volumes, style.SERIES_COLOURS[number], label)
     left.set_ylabel("stress ratio q/p [-]")
-    right.set_ylabel("volumetric strain, compression positive [%]")
+    right.set_ylabel("volumetric strain [%]")
     right.axhline(0, color=style.FAINT_INK, linewidth=0.6)
     for axes in (left, right):
         axes.set_xlabel("axial strain [%]")
