@@ -2,6 +2,10 @@
 
 #include <cmath>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace chesil
 {
 
@@ -20,6 +24,13 @@ inline double magnitude(double a) { return std::abs(a); }
 inline TwoLanes magnitude(TwoLanes a) { return TwoLanes{std::abs(a[0]), std::abs(a[1])}; }
 
 inline bool areAll(bool verdict) { return verdict; }
-inline bool areAll(TwoVerdicts verdicts) { return (verdicts[0] & verdicts[1]) != 0; }
+inline bool areAll(TwoVerdicts verdicts)
+{
+#if defined(__SSE2__)
+    return _mm_movemask_pd(reinterpret_cast<__m128d>(verdicts)) == 3;
+#else
+    return (verdicts[0] & verdicts[1]) != 0;
+#endif
+}
 
 } // namespace chesil
