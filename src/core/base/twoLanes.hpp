@@ -2,10 +2,6 @@
 
 #include <cmath>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 namespace chesil
 {
 
@@ -27,7 +23,7 @@ inline bool areAll(bool verdict) { return verdict; }
 inline bool areAll(TwoVerdicts verdicts)
 {
 #if defined(__SSE2__)
-    return _mm_movemask_pd(reinterpret_cast<__m128d>(verdicts)) == 3;
+    return __builtin_ia32_movmskpd(reinterpret_cast<TwoLanes>(verdicts)) == 3;
 #else
     return (verdicts[0] & verdicts[1]) != 0;
 #endif

@@ -65,6 +65,10 @@ public:
         const CurvedVertex<2> vertex = difference_.curvedSupport(normal);
         const double height = normal.dot(vertex.difference);
         const double slope = cross(normal, vertex.difference);
+        if (height < 0 && std::isfinite(height + slope) && separatedPairs == SeparatedPairs::stop)
+        {
+            return ended(ValleyStatus::separated, normal, height, vertex);
+        }
         const double bend = vertex.radius.value - height;
         if (height >= 0 && bend > 0 && std::isfinite(bend) && isSettled(slope, slope / bend, bend, vertex))
         {
