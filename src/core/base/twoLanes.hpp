@@ -20,6 +20,13 @@ inline double magnitude(double a) { return std::abs(a); }
 inline TwoLanes magnitude(TwoLanes a) { return TwoLanes{std::abs(a[0]), std::abs(a[1])}; }
 
 inline bool areAll(bool verdict) { return verdict; }
-inline bool areAll(TwoVerdicts verdicts) { return (verdicts[0] & verdicts[1]) != 0; }
+inline bool areAll(TwoVerdicts verdicts)
+{
+#if defined(__SSE2__)
+    return __builtin_ia32_movmskpd(reinterpret_cast<TwoLanes>(verdicts)) == 3;
+#else
+    return (verdicts[0] & verdicts[1]) != 0;
+#endif
+}
 
 } // namespace chesil

@@ -86,7 +86,7 @@ template <class Difference>
 /// calls. A direction that separates them ends the search. What the valley cannot prove, a sweep over all
 /// directions does.
 template <class Difference>
-Penetration<2> penetration(const Difference& difference, const Vector2& normal)
+[[gnu::flatten]] Penetration<2> penetration(const Difference& difference, const Vector2& normal)
 {
     ValleySearch<Difference> search(difference);
     const Valley valley = search.from(normal, SeparatedPairs::stop);

@@ -59,10 +59,28 @@ public:
     {
     }
 
-    /// `normal` is where to start, of unit length.
-    [[gnu::flatten]] Valley from(Vector2 normal, SeparatedPairs separatedPairs)
+    /// `normal` is where to start, of unit length. Most often one look is enough: a warm contact's, or that a pair is apart.
+    Valley from(const Vector2& normal, SeparatedPairs separatedPairs)
     {
-        CurvedVertex<2> vertex = difference_.curvedSupport(normal);
+        const CurvedVertex<2> vertex = difference_.curvedSupport(normal);
+        const double height = normal.dot(vertex.difference);
+        const double slope = cross(normal, vertex.difference);
+        if (height < 0 && std::isfinite(height + slope) && separatedPairs == SeparatedPairs::stop)
+        {
+            return ended(ValleyStatus::separated, normal, height, vertex);
+        }
+        const double bend = vertex.radius.value - height;
+        if (height >= 0 && bend > 0 && std::isfinite(bend) && isSettled(slope, slope / bend, bend, vertex))
+        {
+            return atBottom(normal, vertex, height, slope);
+        }
+        return walk(normal, vertex, separatedPairs);
+    }
+
+private:
+    /// Not inlined, so that it leaves the registers to what goes before.
+    [[gnu::noinline, gnu::flatten]] Valley walk(Vector2 normal, CurvedVertex<2> vertex, SeparatedPairs separatedPairs)
+    {
         double previousTurn = 0;
         for (int round = 0; round < mostRounds; ++round)
         {
@@ -140,7 +158,6 @@ public:
         return ended(ValleyStatus::roundLimit, normal, normal.dot(vertex.difference), vertex);
     }
 
-private:
     /// Newton takes about four from a bad guess; the chord wins a factor of four a round, of the 2^50 that there are.
     static constexpr int mostRounds = 40;
     /// A normal on one side of the minimum, and its support point.

@@ -88,13 +88,12 @@ private:
         }
         const double* keys = keys_.data();
         const TwoLanes share{angle.share, angle.share};
+        const auto passed = [&](std::size_t i) -> TwoVerdicts { return TwoLanes{keys[i], keys[i + 1]} * angle.whole <= share; };
+        // A true verdict is -1.
         TwoVerdicts count{0, 0};
         for (std::size_t i = 0; i < keys_.size(); i += keysAtATime)
         {
-            // A true verdict is -1.
-            count -= TwoLanes{keys[i], keys[i + 1]} * angle.whole <= share;
-            count -= TwoLanes{keys[i + 2], keys[i + 3]} * angle.whole <= share;
-            count -= TwoLanes{keys[i + 4], keys[i + 5]} * angle.whole <= share;
+            count -= (passed(i) + passed(i + 2)) + passed(i + 4);
         }
         return static_cast<std::size_t>(count[0] + count[1]);
     }
