@@ -6,26 +6,39 @@
 
 #include <cmath>
 
-// Two grains side by side give the bits that each gives alone.
+// Two grains side by side give what each gives alone, to rounding: where one of them meets a piece's end, the other may
+// go another way through the same formula.
 
 using namespace chesil;
 
 namespace
 {
 
+void expectClose(double alone, double paired, double scale, const char* what)
+{
+    // Radii and their derivatives are quotients of differences: some hundred roundings.
+    constexpr double rounding = 1e-12;
+    EXPECT_TRUE(alone == paired || std::abs(alone - paired) <= rounding * (std::abs(alone) + scale))
+        << what << ": alone " << alone << ", paired less that " << paired - alone;
+}
+
 void expectSame(const CurvedPoint<2>& alone, const CurvedCoordinates<TwoLanes>& paired, int lane)
 {
-    EXPECT_EQ(alone.point.x(), paired.x[lane]);
-    EXPECT_EQ(alone.point.y(), paired.y[lane]);
-    EXPECT_EQ(alone.radius.value, paired.radius[lane]);
-    EXPECT_EQ(alone.radius.first, paired.radiusFirst[lane]);
-    EXPECT_EQ(alone.radius.second, paired.radiusSecond[lane]);
-    EXPECT_EQ(alone.room, paired.room[lane]);
+    expectClose(alone.point.x(), paired.x[lane], 1, "x");
+    expectClose(alone.point.y(), paired.y[lane], 1, "y");
+    expectClose(alone.radius.value, paired.radius[lane], 1, "radius");
+    // On a straight side they have no meaning.
+    if (std::isfinite(alone.radius.value))
+    {
+        expectClose(alone.radius.first, paired.radiusFirst[lane], 1 + std::abs(alone.radius.value), "its first derivative");
+        expectClose(alone.radius.second, paired.radiusSecond[lane], 1 + std::abs(alone.radius.first), "its second derivative");
+    }
+    expectClose(alone.room, paired.room[lane], 1, "room");
 }
 
 } // namespace
 
-TEST(PairedSupport, hasTheBitsOfEachGrainAlone)
+TEST(PairedSupport, isThatOfEachGrainAlone)
 {
     constexpr std::uint64_t seed = 20261123;
     SCOPED_TRACE("seed " + std::to_string(seed));
