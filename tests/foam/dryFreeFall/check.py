@@ -40,4 +40,5 @@ within("times of the series", np.abs(series[:, 0] - [time for time, _ in picture
 speed2 = VELOCITY @ VELOCITY + (GRAVITY * series[:, 0]) ** 2
 energy = mass * speed2 / 2 + inertia * TURNING**2 / 2
 within("kinetic energy, largest relative error", np.abs(series[:, 1] / energy - 1).max(), 1e-10)
-within("contact energy, contacts and overlap", np.abs(series[:, 2:]).max(), 0)
+within("contact energy, contacts and overlap", np.abs(series[:, 2:5]).max(), 0)
+within("mean speed, largest relative error", np.abs(series[:, 5] / np.sqrt(speed2) - 1).max(), 1e-10)
