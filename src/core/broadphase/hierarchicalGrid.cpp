@@ -1,5 +1,6 @@
 #include "core/broadphase/hierarchicalGrid.hpp"
 
+#include "core/base/roomToGrow.hpp"
 #include "core/base/setupError.hpp"
 
 #include <algorithm>
@@ -145,6 +146,7 @@ void HierarchicalGrid::layOutGrids()
     }
     starts_.assign(bucket + 2, 0);
     items_.clear();
+    makeRoom(items_, levelOf_.size());
 }
 
 void HierarchicalGrid::place(Item item, const Vector2& position)
@@ -227,6 +229,7 @@ void HierarchicalGrid::sortIntoBuckets(const Scene& scene, const PeriodicCell* c
     {
         starts_[k] += starts_[k - 1];
     }
+    makeRoom(entries_, starts_.back());
     entries_.resize(starts_.back());
     // Now the start of each bucket stands one further on. Each entry counts it up, until it is the start of
     // the next.

@@ -1,22 +1,9 @@
 #include "core/world/contactList.hpp"
 
+#include "core/base/roomToGrow.hpp"
+
 namespace chesil
 {
-
-namespace
-{
-
-/// With a little room for growth: doubling would show in the memory of big scenes.
-template <class Array>
-void fit(Array& array, std::size_t entries)
-{
-    if (entries > array.capacity())
-    {
-        array.reserve(entries + entries / 16);
-    }
-}
-
-} // namespace
 
 void ContactList::release(std::size_t entry)
 {
@@ -103,7 +90,7 @@ void ContactList::resize(std::size_t size)
 {
     const auto resized = [](auto& array, std::size_t entries)
     {
-        fit(array, entries);
+        makeRoom(array, entries);
         array.resize(entries);
     };
     resized(contacts_, size);
