@@ -18,11 +18,17 @@ struct Shift
     bool operator==(const Shift& other) const { return first == other.first && second == other.second; }
 };
 
-/// A Shift between grains of one neighbourhood, small enough to be kept with every pair.
+/// A Shift between grains of one neighbourhood, -8 to 7 either way: kept with every pair, in one byte.
 struct NearShift
 {
-    std::int8_t first = 0;
-    std::int8_t second = 0;
+    std::int8_t first : 4;
+    std::int8_t second : 4;
+
+    constexpr NearShift() : first(0), second(0) {}
+    constexpr NearShift(int towardsFirst, int towardsSecond)
+    : first(static_cast<std::int8_t>(towardsFirst)), second(static_cast<std::int8_t>(towardsSecond))
+    {
+    }
 
     operator Shift() const { return {first, second}; }
     bool operator==(const NearShift& other) const { return first == other.first && second == other.second; }

@@ -2,6 +2,8 @@
 
 #include "core/base/vector.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -33,17 +35,6 @@ struct CurvedPoint
     double room;
 };
 
-/// A stretch of an outline, given by its range of outward normals (unit, counter-clockwise, less than
-/// half a turn), on which the radius of curvature is nowhere below `leastRadius` [m]. The grain's frame.
-struct OutlineStretch
-{
-    double leastRadius;
-    /// The bound holds all round; the two normals say nothing then.
-    bool whole;
-    Vector2 firstNormal;
-    Vector2 lastNormal;
-};
-
 /// A straight side of an outline, from start to end counter-clockwise [m]. The grain's frame.
 struct StraightSide
 {
@@ -53,11 +44,23 @@ struct StraightSide
     Vector2 end;
 };
 
+/// Which pieces of two outlines held the support points last: where to look first. Any value is safe.
+struct PieceGuess
+{
+    std::uint8_t onA = 0;
+    std::uint8_t onB = 0;
+
+    /// Pieces beyond the 256th are not worth a byte more in each pair: they are not remembered.
+    static PieceGuess of(std::size_t onA, std::size_t onB) { return {remembered(onA), remembered(onB)}; }
+
+private:
+    static std::uint8_t remembered(std::size_t piece) { return piece <= 255 ? static_cast<std::uint8_t>(piece) : std::uint8_t{0}; }
+};
+
 /// What GJK and EPA ask of a shape: support(direction), boundingRadius(). What the search for the nearest valley
 /// asks beyond that (a shape without it is left to GJK and EPA):
 ///
 /// - curvedSupport(normal): CurvedPoint for a unit normal;
-/// - stretchAt(normal): an OutlineStretch that holds this normal;
 /// - leastRadiusBetween(first, last): lower bound of the radius of curvature [m] between two normals, last less than half
 ///   a turn counter-clockwise of first; the tighter, the fewer splits a sweep over all directions takes;
 /// - leastRadius(): lower bound of the radius of curvature of the whole outline [m], 0 if there are corners;
@@ -67,7 +70,11 @@ struct StraightSide
 ///   the turn of less than 180 degrees, either way, from one normal to the other (both excluded by
 ///   tolerances::sameNormal), the middle one of many, null if there is none.
 ///
-/// Optional, for pairs of two such shapes: curvedSupports(a, b, x, y), curvedSupport of two grains side by side.
+/// Optional: an outline cut into parts, counter-clockwise, each with a range of normals of its own of less than half a
+/// turn: partAt(normal), partAfter(i), partBefore(i), partStart(i) its first normal, partRadius(i) a lower bound of its radius of
+/// curvature [m].
+///
+/// Optional, for pairs of two such shapes: curvedSupports(a, b, x, y, guess), curvedSupport of two grains side by side.
 template <class ShapeType, class = void>
 struct OffersCurvature : std::false_type
 {
@@ -75,6 +82,16 @@ struct OffersCurvature : std::false_type
 
 template <class ShapeType>
 struct OffersCurvature<ShapeType, std::void_t<decltype(std::declval<const ShapeType&>().leastRadius())>> : std::true_type
+{
+};
+
+template <class ShapeType, class = void>
+struct OffersParts : std::false_type
+{
+};
+
+template <class ShapeType>
+struct OffersParts<ShapeType, std::void_t<decltype(&ShapeType::partAt)>> : std::true_type
 {
 };
 

@@ -18,7 +18,7 @@ constexpr int mostLevels = 24;
 constexpr std::int8_t noLevel = -1;
 
 /// Lattice vectors that a position may be off the cell, so that differences fit NearShift.
-constexpr double mostCellsAway = 60;
+constexpr double mostCellsAway = 3;
 
 /// Covers rounding where a distance is compared in parts of the lattice vectors.
 constexpr double roundingSlack = 1 + 1e-9;
@@ -184,7 +184,7 @@ void HierarchicalGrid::placeImages(const Scene& scene, const PeriodicCell& cell)
                     numberText(fraction.y()) + " lattice vectors from the periodic cell's corner",
                 "positions wrapped into the cell, or within " + numberText(mostCellsAway) + " of it");
         }
-        const NearShift shift{static_cast<std::int8_t>(-cells.x()), static_cast<std::int8_t>(-cells.y())};
+        const NearShift shift(-static_cast<int>(cells.x()), -static_cast<int>(cells.y()));
         const Item real{static_cast<std::int32_t>(i), 0, shift, false};
         place(real, scene.positions[i] + cell.offset(shift));
         const double met = widestMet[static_cast<std::size_t>(levelOf_[i])];
@@ -209,8 +209,7 @@ void HierarchicalGrid::placeGhosts(Item ghost, const Vector2& position, const Ve
         {
             if (first != 0 || second != 0)
             {
-                ghost.shift.first = static_cast<std::int8_t>(real.first + first);
-                ghost.shift.second = static_cast<std::int8_t>(real.second + second);
+                ghost.shift = NearShift(real.first + first, real.second + second);
                 place(ghost, position + cell.offset(ghost.shift));
             }
         }

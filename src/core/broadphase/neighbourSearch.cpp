@@ -154,8 +154,7 @@ void NeighbourSearch::meet(const Entry& entry, std::size_t begin, std::size_t en
         {
             const Entry& first = ascending ? entry : *other;
             const Entry& second = ascending ? *other : entry;
-            next->shift.first = static_cast<std::int8_t>(second.shift.first - first.shift.first);
-            next->shift.second = static_cast<std::int8_t>(second.shift.second - first.shift.second);
+            next->shift = NearShift(second.shift.first - first.shift.first, second.shift.second - first.shift.second);
             // Within a level both grains have ghosts, and the pair is found twice. A grain's own ghost is
             // never near: the cell is too wide.
             near = near & (across | !first.ghost);

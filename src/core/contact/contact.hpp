@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/pairKey.hpp"
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
 
 namespace chesil
@@ -10,6 +11,7 @@ namespace chesil
 template <int Dim>
 struct Contact : PairKey
 {
+    PieceGuess pieces{};
     /// By how much the normal turned in the last step [rad].
     float turn = 0;
     /// Overlap [m]; 0 without contact.
@@ -23,5 +25,7 @@ struct Contact : PairKey
 
     const PairKey& key() const { return *this; }
 };
+
+static_assert(sizeof(Contact<2>) == 72, "a time step streams through all contacts: their size is its time");
 
 } // namespace chesil

@@ -135,19 +135,37 @@ struct CurvedCoordinates
     Number room;
 };
 
-/// Along the unit normal (nx, ny), of the segment with these control points. In coordinates, since this is the hottest line
-/// of all: Eigen's temporaries cost a third.
+/// A segment's control points in coordinates, and how its control edges run along a unit normal and along that turned by
+/// 90 degrees. In coordinates, since these are the hottest lines of all: Eigen's temporaries cost a third.
 template <class Number>
-CurvedCoordinates<Number> curvedSupportOf(
-    const std::array<Number, 4>& x, const std::array<Number, 4>& y, const Number& nx, const Number& ny)
+struct SegmentAlongNormal
 {
-    const Number x0 = x[1] - x[0], x1 = x[2] - x[1], x2 = x[3] - x[2];
-    const Number y0 = y[1] - y[0], y1 = y[2] - y[1], y2 = y[3] - y[2];
-    const Number rise0 = nx * x0 + ny * y0, rise1 = nx * x1 + ny * y1, rise2 = nx * x2 + ny * y2;
-    const Number along0 = nx * y0 - ny * x0, along1 = nx * y1 - ny * x1, along2 = nx * y2 - ny * x2;
-    const bool within = areAll((rise0 > 0) & (rise2 < 0));
-    const SupportRoot<Number> root =
-        within ? supportRootWithin(rise0, rise1, rise2) : supportRootAnywhere(rise0, rise1, rise2);
+    std::array<Number, 4> x;
+    std::array<Number, 4> y;
+    std::array<Number, 3> rise;
+    std::array<Number, 3> along;
+
+    SegmentAlongNormal(const std::array<Number, 4>& px, const std::array<Number, 4>& py, const Number& nx, const Number& ny) : x(px), y(py)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            const Number dx = x[i + 1] - x[i];
+            const Number dy = y[i + 1] - y[i];
+            rise[i] = nx * dx + ny * dy;
+            along[i] = nx * dy - ny * dx;
+        }
+    }
+
+    /// Whether the normal is within the segment's range of normals, borders excluded.
+    bool isWithin() const { return areAll((rise[0] > 0) & (rise[2] < 0)); }
+};
+
+template <class Number>
+CurvedCoordinates<Number> curvedSupportAt(const SegmentAlongNormal<Number>& segment, const SupportRoot<Number>& root)
+{
+    const auto& [x, y, rise, along] = segment;
+    const Number along0 = along[0], along1 = along[1], along2 = along[2];
+    const Number rise0 = rise[0], rise1 = rise[1], rise2 = rise[2];
     const Number t = root.parameter;
     const Number s = 1 - t;
     const Number ss = s * s, st = 2 * (s * t), tt = t * t;
@@ -187,24 +205,32 @@ CurvedCoordinates<Number> curvedSupportOf(
     return result;
 }
 
+template <class Number>
+CurvedCoordinates<Number> curvedSupportOf(const SegmentAlongNormal<Number>& segment)
+{
+    const auto& rise = segment.rise;
+    return curvedSupportAt(
+        segment, segment.isWithin() ? supportRootWithin(rise[0], rise[1], rise[2]) : supportRootAnywhere(rise[0], rise[1], rise[2]));
+}
+
 inline CurvedPoint<2> CubicBezier::curvedSupport(const Vector2& normal) const
 {
-    const CurvedCoordinates<double> found = curvedSupportOf<double>(
+    const CurvedCoordinates<double> found = curvedSupportOf(SegmentAlongNormal<double>(
         {points_[0].x(), points_[1].x(), points_[2].x(), points_[3].x()},
         {points_[0].y(), points_[1].y(), points_[2].y(), points_[3].y()},
         normal.x(),
-        normal.y());
+        normal.y()));
     return {Vector2(found.x, found.y), {found.radius, found.radiusFirst, found.radiusSecond}, found.room};
 }
 
-/// The support points of two segments along the unit normals (nx[0], ny[0]) and (nx[1], ny[1]), as curvedSupport.
-inline CurvedCoordinates<TwoLanes> curvedSupports(const CubicBezier& a, const CubicBezier& b, const TwoLanes& nx, const TwoLanes& ny)
+/// Two segments side by side along the unit normals (nx[0], ny[0]) and (nx[1], ny[1]).
+inline SegmentAlongNormal<TwoLanes> sideBySide(const CubicBezier& a, const CubicBezier& b, const TwoLanes& nx, const TwoLanes& ny)
 {
     const std::array<Vector2, 4>& p = a.controlPoints();
     const std::array<Vector2, 4>& q = b.controlPoints();
     const auto x = [&](std::size_t i) { return TwoLanes{p[i].x(), q[i].x()}; };
     const auto y = [&](std::size_t i) { return TwoLanes{p[i].y(), q[i].y()}; };
-    return curvedSupportOf<TwoLanes>({x(0), x(1), x(2), x(3)}, {y(0), y(1), y(2), y(3)}, nx, ny);
+    return {{x(0), x(1), x(2), x(3)}, {y(0), y(1), y(2), y(3)}, nx, ny};
 }
 
 } // namespace chesil

@@ -18,7 +18,7 @@ namespace
 {
 
 const std::string title = "chesil checkpoint ";
-const std::string version = "2";
+const std::string version = "3";
 constexpr std::uint64_t byteOrderMark = 0x0102030405060708;
 
 constexpr std::size_t titleSpace = 32;

@@ -59,7 +59,7 @@ void addContacts(CheckpointWriter& writer, const std::vector<Contact<2>>& contac
     std::vector<double> numbers;
     for (const Contact<2>& c : contacts)
     {
-        keys.insert(keys.end(), {c.first, c.second, c.place, c.shift.first, c.shift.second});
+        keys.insert(keys.end(), {c.first, c.second, c.place, c.shift.first, c.shift.second, c.pieces.onA, c.pieces.onB});
         numbers.insert(
             numbers.end(), {c.depth, c.normal.x(), c.normal.y(), c.turn, c.point.x(), c.point.y(), c.force.x(), c.force.y()});
     }
@@ -71,17 +71,18 @@ std::vector<Contact<2>> takeContacts(CheckpointReader& reader)
 {
     const std::vector<std::int32_t> keys = reader.take<std::int32_t>("contactKeys");
     const Rows rows(reader, "contacts", 8);
-    if (keys.size() != 5 * rows.size())
+    constexpr std::size_t keyWidth = 7;
+    if (keys.size() != keyWidth * rows.size())
     {
         throw SetupError(
-            reader.path(), "contactKeys", std::to_string(keys.size()) + " numbers", std::to_string(5 * rows.size()));
+            reader.path(), "contactKeys", std::to_string(keys.size()) + " numbers", std::to_string(keyWidth * rows.size()));
     }
     std::vector<Contact<2>> contacts;
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
-        const std::int32_t* key = &keys[5 * i];
-        const auto small = [key](int k) { return static_cast<std::int8_t>(key[k]); };
-        Contact<2> contact{{key[0], key[1], small(2), {small(3), small(4)}}};
+        const std::int32_t* key = &keys[keyWidth * i];
+        Contact<2> contact{{key[0], key[1], static_cast<std::int8_t>(key[2]), {key[3], key[4]}}};
+        contact.pieces = {static_cast<std::uint8_t>(key[5]), static_cast<std::uint8_t>(key[6])};
         contact.depth = rows(i, 0);
         contact.normal = rows.vector(i, 1);
         contact.turn = static_cast<float>(rows(i, 3));

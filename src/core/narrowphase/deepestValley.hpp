@@ -8,64 +8,110 @@
 namespace chesil
 {
 
-/// Proves without a support call that the height of an overlapping pair's A - B is nowhere below that of a valley
-/// found; false if it cannot tell. doc/contactKernel.md, "Is it the right valley?":
+/// Directions in which A - B may be less deep than in a valley.
+struct Doubt
+{
+    enum class Kind
+    {
+        /// None: the valley is the deepest.
+        none,
+        /// From `first` counter-clockwise to `last`, less than half a turn; the valley's normal lies between them.
+        cone,
+        everywhere,
+    };
+
+    Kind kind;
+    /// Unit.
+    Vector2 first = Vector2::Zero();
+    Vector2 last = Vector2::Zero();
+};
+
+/// Whether the height of A - B is nowhere below `enough` (positive, the valley's but for rounding) from the valley's normal
+/// to `border`, less than half a turn ahead; false if it cannot tell. doc/contactKernel.md, "Part by part".
+template <class Difference>
+bool risesUpTo(const Vector2& border, int sense, const Difference& difference, const Valley& valley, double enough)
+{
+    // Most settle within four; after so many a sweep is as fast.
+    constexpr int mostParts = 32;
+    auto ofA = difference.walkA(valley.normal, sense);
+    auto ofB = difference.walkB(valley.normal, sense);
+    Vector2 normal = valley.normal;
+    // At least as far out as the boundary's own point there.
+    Vector2 point = sense > 0 ? valley.end : valley.start;
+    for (int i = 0; i < mostParts; ++i)
+    {
+        Vector2 next = border;
+        const bool endsA = ofA.endsBefore(next);
+        const bool endsB = ofB.endsBefore(next);
+        point += std::min(ofA.leastRadius() + ofB.leastRadius(), difference.size()) * (next - normal);
+        if (!(next.dot(point) >= enough) || !(sense * cross(next, point) >= 0))
+        {
+            return false;
+        }
+        if (border.dot(point) >= enough)
+        {
+            return true;
+        }
+        normal = next;
+        if (endsB)
+        {
+            ofB.advance();
+        }
+        else if (endsA)
+        {
+            ofA.advance();
+        }
+        else
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Where the height of an overlapping pair's A - B may be below that of a valley found, without a support call.
+/// doc/contactKernel.md, "Is it the right valley?":
 ///
 /// 1. Where no curvature is tighter than the depth, a disk of that radius rolls inside the boundary: any valley is
 ///    the deepest.
-/// 2. A - B holds a disk about minus the line of centres, which leaves a cone of directions to be doubted; and it holds
-///    the straight side, or the stretch of bounded curvature, that the valley lies on: if their ends reach as far
-///    as the depth at both borders of the cone, they do so everywhere between.
+/// 2. A - B holds a disk about minus the line of centres, which leaves a cone of directions to be doubted.
+/// 3. Both outlines part by part, from the valley on: they bend so little, or have come so far, that the height does not
+///    fall below the valley's within the cone.
 template <class Difference>
-bool isDeepest(const Difference& difference, const Valley& valley)
+Doubt doubtOf(const Difference& difference, const Valley& valley)
 {
     const double depth = valley.height;
     if (depth <= difference.leastRadius())
     {
-        return true;
+        return {Doubt::Kind::none};
     }
     const double enough = depth - tolerances::supportRounding / 2 * difference.size();
     const double distance = difference.centreToCentre().norm();
     const double reach = difference.innerRadius() - depth;
     if (distance <= reach)
     {
-        return true;
+        return {Doubt::Kind::none};
     }
     if (distance <= -reach)
     {
-        return false;
+        return {Doubt::Kind::everywhere};
     }
     const Vector2 along = difference.centreToCentre() / distance;
     const double cosine = reach / distance;
     const double sine = std::sqrt((1 - cosine) * (1 + cosine));
     const Vector2 lastDoubt = cosine * along + sine * perpendicular(along);
     const Vector2 firstDoubt = cosine * along - sine * perpendicular(along);
-
-    Vector2 start = valley.start;
-    Vector2 end = valley.end;
-    if (!valley.onStraightSide)
+    // Less than half a turn from the valley to each border, or the arguments do not hold.
+    const bool isBetween = cross(firstDoubt, valley.normal) > 0 && cross(valley.normal, lastDoubt) > 0;
+    if (!isBetween)
     {
-        const OutlineStretch stretch = difference.stretchAt(valley.normal);
-        if (stretch.leastRadius < depth)
-        {
-            return false;
-        }
-        if (stretch.whole)
-        {
-            return true;
-        }
-        // No larger than the shapes, so that its centre loses no digits.
-        const double radius = std::min(stretch.leastRadius, difference.size());
-        const Vector2 centre = valley.end - radius * valley.normal;
-        const auto isOnStretch = [&](const Vector2& doubt)
-        { return cross(stretch.firstNormal, doubt) >= 0 && cross(doubt, stretch.lastNormal) >= 0; };
-        start = isOnStretch(firstDoubt) ? depth * firstDoubt : Vector2(centre + radius * stretch.firstNormal);
-        end = isOnStretch(lastDoubt) ? depth * lastDoubt : Vector2(centre + radius * stretch.lastNormal);
+        return {Doubt::Kind::everywhere};
     }
-    // Less than half a turn from the valley to each border, or the argument does not hold.
-    const bool lastSeen = cross(valley.normal, lastDoubt) > 0 && end.dot(lastDoubt) >= enough;
-    const bool firstSeen = cross(firstDoubt, valley.normal) > 0 && start.dot(firstDoubt) >= enough;
-    return lastSeen && firstSeen;
+    if (risesUpTo(lastDoubt, 1, difference, valley, enough) && risesUpTo(firstDoubt, -1, difference, valley, enough))
+    {
+        return {Doubt::Kind::none};
+    }
+    return cosine > 0 ? Doubt{Doubt::Kind::cone, firstDoubt, lastDoubt} : Doubt{Doubt::Kind::everywhere};
 }
 
 } // namespace chesil

@@ -4,6 +4,7 @@
 #include "core/base/supportContract.hpp"
 #include "core/base/twoLanes.hpp"
 #include "core/base/vector.hpp"
+#include "core/narrowphase/partWalk.hpp"
 #include "core/narrowphase/queryCost.hpp"
 
 #include <algorithm>
@@ -49,8 +50,9 @@ class MinkowskiDifference : private Cost
 public:
     static constexpr bool offersCurvature = OffersCurvature<ShapeA>::value && OffersCurvature<ShapeB>::value;
 
-    MinkowskiDifference(const ShapeA& a, const Pose<Dim>& poseA, const ShapeB& b, const Pose<Dim>& poseB, Cost counter = {})
-    : Cost(counter), a_(a), b_(b), rotationA_(poseA.rotation), rotationB_(poseB.rotation), centreToCentre_(poseB.position - poseA.position)
+    MinkowskiDifference(const ShapeA& a, const Pose<Dim>& poseA, const ShapeB& b, const Pose<Dim>& poseB, Cost counter = {}, PieceGuess pieces = {})
+    : Cost(counter), a_(a), b_(b), rotationA_(poseA.rotation), rotationB_(poseB.rotation), centreToCentre_(poseB.position - poseA.position),
+      pieces_(pieces)
     {
     }
 
@@ -89,30 +91,16 @@ public:
     /// A disk of this radius [m] about -centreToCentre() lies in the set.
     double innerRadius() const { return a_.innerRadius() + b_.innerRadius(); }
 
-    /// The stretch of the set's boundary around a unit normal on which both shapes' bounds hold; world axes.
-    OutlineStretch stretchAt(const Vector2& normal) const
-    {
-        const OutlineStretch a = turned(a_.stretchAt(rotationA_.applyInverse(normal)), rotationA_, 1);
-        const OutlineStretch b = turned(b_.stretchAt(rotationB_.applyInverse(-normal)), rotationB_, -1);
-        const double radius = a.leastRadius + b.leastRadius;
-        if (a.whole || b.whole)
-        {
-            const OutlineStretch& narrow = a.whole ? b : a;
-            return {radius, narrow.whole, narrow.firstNormal, narrow.lastNormal};
-        }
-        return {
-            radius,
-            false,
-            cross(a.firstNormal, b.firstNormal) > 0 ? b.firstNormal : a.firstNormal,
-            cross(a.lastNormal, b.lastNormal) > 0 ? a.lastNormal : b.lastNormal};
-    }
-
     /// Lower bound of the radius of curvature of the set's boundary between two normals [m].
     double leastRadiusBetween(const Vector2& first, const Vector2& last) const
     {
         return a_.leastRadiusBetween(rotationA_.applyInverse(first), rotationA_.applyInverse(last))
             + b_.leastRadiusBetween(rotationB_.applyInverse(-first), rotationB_.applyInverse(-last));
     }
+
+    /// Round the outlines of A and of -B from a unit normal on.
+    PartWalk<ShapeA> walkA(const Vector2& normal, int sense) const { return {a_, rotationA_, 1, normal, sense}; }
+    PartWalk<ShapeB> walkB(const Vector2& normal, int sense) const { return {b_, rotationB_, -1, normal, sense}; }
 
     /// A straight side of the set between two normals (as a shape's straightSideBetween), made of a side of one shape
     /// and a point of the other: the one nearer to `from`. False if there is none.
@@ -169,6 +157,9 @@ public:
         return false;
     }
 
+    /// Those of the last curved support point, where the shapes tell.
+    const PieceGuess& pieces() const { return pieces_; }
+
     void countSweep() const { Cost::countSweep(); }
 
 private:
@@ -180,7 +171,7 @@ private:
         const TwoLanes sine{turnA.y(), turnB.y()};
         const TwoLanes x{normal.x(), -normal.x()};
         const TwoLanes y{normal.y(), -normal.y()};
-        const auto found = ShapeA::curvedSupports(a_, b_, cosine * x + sine * y, cosine * y - sine * x);
+        const auto found = ShapeA::curvedSupports(a_, b_, cosine * x + sine * y, cosine * y - sine * x, pieces_);
         const TwoLanes worldX = cosine * found.x - sine * found.y;
         const TwoLanes worldY = sine * found.x + cosine * found.y;
         const CurvatureRadius radiusA{found.radius[0], found.radiusFirst[0], found.radiusSecond[0]};
@@ -211,20 +202,12 @@ private:
             onA.point - onB.point - centreToCentre_, onA.point, onA.radius + onB.radius, onA.radius, std::min(onA.room, onB.room)};
     }
 
-    static OutlineStretch turned(const OutlineStretch& stretch, const Rotation<2>& rotation, double sign)
-    {
-        return {
-            stretch.leastRadius,
-            stretch.whole,
-            sign * rotation.apply(stretch.firstNormal),
-            sign * rotation.apply(stretch.lastNormal)};
-    }
-
     const ShapeA& a_;
     const ShapeB& b_;
     const Rotation<Dim>& rotationA_;
     const Rotation<Dim>& rotationB_;
     Vector<Dim> centreToCentre_;
+    mutable PieceGuess pieces_;
 };
 
 } // namespace chesil

@@ -64,12 +64,12 @@ inline Penetration<2> penetrationIn(const Valley& valley)
     return {status, valley.normal, valley.height, valley.onA - valley.height / 2 * valley.normal};
 }
 
-/// By all directions, what the nearest valley cannot prove. Not inlined: it is rare, and its memory large.
+/// By all directions in doubt, what the nearest valley cannot prove. Not inlined: it is rare, and its memory large.
 template <class Difference>
-[[gnu::noinline]] Penetration<2> penetrationBySweep(const Difference& difference, const Valley& valley)
+[[gnu::noinline]] Penetration<2> penetrationBySweep(const Difference& difference, const Valley& valley, const Doubt& doubt)
 {
     difference.countSweep();
-    const SweptValley swept = SectorSweep<Difference>(difference, valley).run();
+    const SweptValley swept = SectorSweep<Difference>(difference, valley).run(doubt);
     if (swept.status == SweepStatus::notFinite)
     {
         return {PairStatus::notFinite, valley.normal, 0, Vector2::Zero()};
@@ -83,8 +83,8 @@ template <class Difference>
 }
 
 /// Contact of two shapes by the nearest valley from `normal` (unit), which last step's normal makes one or two support
-/// calls. A direction that separates them ends the search. What the valley cannot prove, a sweep over all
-/// directions does.
+/// calls. A direction that separates them ends the search. What the valley cannot prove, a sweep over the
+/// directions in doubt does.
 template <class Difference>
 [[gnu::flatten]] Penetration<2> penetration(const Difference& difference, const Vector2& normal)
 {
@@ -94,13 +94,12 @@ template <class Difference>
     {
         return {PairStatus::notFinite, normal, 0, Vector2::Zero()};
     }
-    const bool found = valley.status != ValleyStatus::roundLimit;
-    if (found && (valley.height <= 0 || isDeepest(difference, valley)))
+    Doubt doubt{Doubt::Kind::everywhere};
+    if (valley.status != ValleyStatus::roundLimit)
     {
-        return penetrationIn(valley);
+        doubt = valley.height > 0 ? doubtOf(difference, valley) : Doubt{Doubt::Kind::none};
     }
-
-    return penetrationBySweep(difference, valley);
+    return doubt.kind == Doubt::Kind::none ? penetrationIn(valley) : penetrationBySweep(difference, valley, doubt);
 }
 
 } // namespace chesil

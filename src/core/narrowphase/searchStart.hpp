@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/smallTurn.hpp"
+#include "core/base/supportContract.hpp"
 #include "core/base/vector.hpp"
 
 #include <cmath>
@@ -15,6 +16,7 @@ struct SearchStart
     Vector2 direction = Vector2::Zero();
     /// By how much the normal has turned since the query before [rad, counter-clockwise]: as a rule it goes on so.
     double turn = 0;
+    PieceGuess pieces{};
 
     /// Where to look first.
     Vector2 expected() const { return turn == 0 ? direction : turnedBy(turn, direction); }

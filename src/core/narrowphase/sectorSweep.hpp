@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/narrowphase/valley.hpp"
+#include "core/narrowphase/deepestValley.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace chesil
 /// How a sweep ended.
 enum class SweepStatus
 {
-    /// No direction is less deep than the valley returned.
+    /// No direction in doubt is less deep than the valley returned.
     proved,
     /// A direction separates the shapes.
     separated,
@@ -29,10 +29,10 @@ struct SweptValley
     Valley valley;
 };
 
-/// The deepest valley by branch and bound over all directions. A sector between two normals whose support points are
+/// The deepest valley by branch and bound over all directions in doubt. A sector between two normals whose support points are
 /// known has a lower bound of the height: that of the two points themselves, each drawn in by the least radius of
 /// curvature of the sector (doc/contactKernel.md, "All directions"). The sector with the lowest bound is split until
-/// none is below the best valley. This is EPA with curvature, over the whole turn.
+/// none is below the best valley. This is EPA with curvature.
 template <class Difference>
 class SectorSweep
 {
@@ -46,19 +46,28 @@ public:
         }
     }
 
-    SweptValley run()
+    SweptValley run(const Doubt& doubt)
     {
         const Vector2 first = best_.normal;
-        for (const Vector2& normal : {first, perpendicular(first), Vector2(-first), Vector2(-perpendicular(first))})
+        const bool cone = doubt.kind == Doubt::Kind::cone;
+        const std::array<Vector2, 4> normals = cone
+            ? std::array<Vector2, 4>{doubt.first, first, doubt.last, Vector2::Zero()}
+            : std::array<Vector2, 4>{first, perpendicular(first), -first, -perpendicular(first)};
+        const std::int32_t count = cone ? 3 : 4;
+        for (std::int32_t i = 0; i < count; ++i)
         {
-            if (!look(normal))
+            if (!look(normals[index(i)]))
             {
                 return {ended_, best_};
             }
         }
-        for (std::int32_t i = 0; i < 4; ++i)
+        for (std::int32_t i = 0; i + 1 < count; ++i)
         {
-            push(boundedSector(i, (i + 1) % 4));
+            push(boundedSector(i, i + 1));
+        }
+        if (!cone)
+        {
+            push(boundedSector(count - 1, 0));
         }
         while (sectors_[0].bound < best_.height - floor_)
         {

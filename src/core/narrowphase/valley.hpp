@@ -1,50 +1,19 @@
 #pragma once
 
 #include "core/base/tolerances.hpp"
-#include "core/narrowphase/minkowskiDifference.hpp"
-#include "core/narrowphase/searchStart.hpp"
+#include "core/narrowphase/valleyBottom.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace chesil
 {
-
-/// How the search for a valley ended.
-enum class ValleyStatus
-{
-    /// A local minimum of the height.
-    found,
-    /// On the way a direction was met that separates the shapes.
-    separated,
-    /// No valley within the limit of rounds.
-    roundLimit,
-    /// A support point is not a number.
-    notFinite,
-};
 
 /// Whether a direction that separates the shapes is all one wants to know.
 enum class SeparatedPairs
 {
     stop,
     goOn,
-};
-
-/// A local minimum of the height h(n) = max over p in A - B of n.p, over unit normals n. World axes, relative to A's
-/// centroid [m].
-struct Valley
-{
-    ValleyStatus status;
-    Vector2 normal;
-    /// h(normal): the penetration depth; negative for the distance of separated shapes.
-    double height;
-    /// Deepest point of A in B, or nearest to B.
-    Vector2 onA;
-    /// The boundary of A - B at this normal: both ends of a straight side, the same point twice elsewhere.
-    Vector2 start;
-    Vector2 end;
-    bool onStraightSide;
 };
 
 /// Walks from a first guess down the height of A - B to its nearest local minimum. Newton's step takes the boundary
@@ -67,7 +36,7 @@ public:
         const double slope = cross(normal, vertex.difference);
         if (height < 0 && std::isfinite(height + slope) && separatedPairs == SeparatedPairs::stop)
         {
-            return ended(ValleyStatus::separated, normal, height, vertex);
+            return valleyAt(ValleyStatus::separated, normal, height, vertex);
         }
         const double bend = vertex.radius.value - height;
         if (height >= 0 && bend > 0 && std::isfinite(bend) && isSettled(slope, slope / bend, bend, vertex))
@@ -88,11 +57,11 @@ private:
             const double slope = cross(normal, vertex.difference);
             if (!std::isfinite(height + slope))
             {
-                return ended(ValleyStatus::notFinite, normal, height, vertex);
+                return valleyAt(ValleyStatus::notFinite, normal, height, vertex);
             }
             if (height < 0 && separatedPairs == SeparatedPairs::stop)
             {
-                return ended(ValleyStatus::separated, normal, height, vertex);
+                return valleyAt(ValleyStatus::separated, normal, height, vertex);
             }
 
             const double radius = vertex.radius.value;
@@ -106,7 +75,7 @@ private:
             if (slope == 0)
             {
                 // Stationary: the bottom, or (the boundary bends more than a circle about the origin) a ridge.
-                return ended(bend >= 0 ? ValleyStatus::found : ValleyStatus::roundLimit, normal, height, vertex);
+                return valleyAt(bend >= 0 ? ValleyStatus::found : ValleyStatus::roundLimit, normal, height, vertex);
             }
 
             (slope < 0 ? clockwise_ : counterClockwise_) = {normal, {vertex.difference, vertex.onA}, true};
@@ -155,7 +124,7 @@ private:
                 }
             }
         }
-        return ended(ValleyStatus::roundLimit, normal, normal.dot(vertex.difference), vertex);
+        return valleyAt(ValleyStatus::roundLimit, normal, normal.dot(vertex.difference), vertex);
     }
 
     /// Newton takes about four from a bad guess; the chord wins a factor of four a round, of the 2^50 that there are.
@@ -192,58 +161,6 @@ private:
         const double cubed = radius.value * radius.value * radius.value;
         const double left = safety * growth * growth * (turn * turn) * (turn * turn);
         return left <= tolerances::settledNormal * bend * cubed && left * std::abs(turn) <= floor_ * cubed;
-    }
-
-    static Valley ended(ValleyStatus status, const Vector2& normal, double height, const CurvedVertex<2>& vertex)
-    {
-        return {status, normal, height, vertex.onA, vertex.difference, vertex.difference, false};
-    }
-
-    /// The last step: the series about the normal, to the fourth order of the height.
-    static Valley atBottom(const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope)
-    {
-        const CurvatureRadius& radius = vertex.radius;
-        const double bend = radius.value - height;
-        const double inverse = 1 / bend;
-        const double first = -slope * inverse;
-        if (!(std::abs(first) < smallTurn))
-        {
-            return atBottomOfCircle(normal, vertex, height, slope);
-        }
-        const double third = radius.first - slope;
-        const double fourth = radius.second - bend;
-        // Shares multiplied by, not divided by: none of them needs its last digit, and a division takes as long as four products.
-        constexpr double oneThird = 1.0 / 3, oneSixth = 1.0 / 6;
-        const double c2 = 0.5 * inverse * third * first;
-        const double c3 = oneSixth * inverse * fourth * (first * first);
-        const double angle = first * (1 - c2 + 2 * (c2 * c2) - c3);
-        const double lowest = height + angle * (slope + angle * (0.5 * bend + angle * (oneSixth * third + (1.0 / 24) * angle * fourth)));
-        const Vector2 bottom = turnedBy(angle, normal);
-        const CurvatureRadius& a = vertex.radiusA;
-        // Along the arc: on a nearly straight side the difference of the two normals has no digits left.
-        const double along = angle * (a.value + 0.5 * angle * (a.first + oneThird * angle * (a.second - a.value)));
-        const double inwards =
-            0.5 * (angle * angle) * (a.value + angle * (2 * oneThird * a.first + 0.25 * angle * (a.second - oneThird * a.value)));
-        const Vector2 onA = vertex.onA + along * perpendicular(normal) - inwards * normal;
-        const Vector2 onDifference = lowest * bottom;
-        return {ValleyStatus::found, bottom, lowest, onA, onDifference, onDifference, false};
-    }
-
-    /// However far it turns: a boundary round about the origin.
-    static Valley atBottomOfCircle(const Vector2& normal, const CurvedVertex<2>& vertex, double height, double slope)
-    {
-        const Vector2 fromCentre = vertex.radius.value * normal - vertex.difference;
-        const double distance = fromCentre.norm();
-        if (!(distance > 0))
-        {
-            return ended(ValleyStatus::found, normal, height, vertex);
-        }
-        const Vector2 bottom = (1 / distance) * fromCentre;
-        const double lowest = height - slope * slope / (distance + vertex.radius.value - height);
-        const Vector2 onDifference = lowest * bottom;
-        return {
-            ValleyStatus::found, bottom, lowest, vertex.onA + vertex.radiusA.value * (bottom - normal), onDifference, onDifference,
-            false};
     }
 
     static Valley atSide(const DifferenceSide& side, double atStart, double atEnd, SeparatedPairs separatedPairs)

@@ -30,7 +30,6 @@ public:
     double boundingRadius() const { return radius_; }
 
     CurvedPoint<2> curvedSupport(const Vector2& normal) const { return {radius_ * normal, {radius_, 0, 0}, std::numeric_limits<double>::infinity()}; }
-    OutlineStretch stretchAt(const Vector2& normal) const { return {radius_, true, normal, normal}; }
     double leastRadiusBetween(const Vector2&, const Vector2&) const { return radius_; }
     double leastRadius() const { return radius_; }
     double innerRadius() const { return radius_; }

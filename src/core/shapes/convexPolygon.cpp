@@ -77,12 +77,6 @@ const StraightSide* ConvexPolygon::straightSideFacing(const Vector2& normal) con
     return before.normal.dot(normal) > after.normal.dot(normal) ? &before : &after;
 }
 
-OutlineStretch ConvexPolygon::stretchAt(const Vector2& normal) const
-{
-    const std::size_t vertex = normals_.find(normal);
-    return {0, false, sides_[vertex == 0 ? sides_.size() - 1 : vertex - 1].normal, sides_[vertex].normal};
-}
-
 const StraightSide* ConvexPolygon::straightSideBetween(const Vector2& from, const Vector2& to) const
 {
     const bool counterClockwise = cross(from, to) > 0;

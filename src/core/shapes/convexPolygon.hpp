@@ -43,7 +43,6 @@ public:
         const double after = cross(normal, sides_[vertex].normal);
         return {vertices_[vertex], {}, std::max(0.0, std::min(before, after))};
     }
-    OutlineStretch stretchAt(const Vector2& normal) const;
     static double leastRadiusBetween(const Vector2&, const Vector2&) { return 0; }
     double leastRadius() const { return 0; }
     double innerRadius() const { return innerRadius_; }

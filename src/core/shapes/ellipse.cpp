@@ -14,23 +14,25 @@ Ellipse::Ellipse(double a, double b) : a_(a), b_(b)
     requireSize(b, "a half-axis");
 }
 
-OutlineStretch Ellipse::stretchAt(const Vector2& normal) const
+// From part 0, about the y axis, counter-clockwise.
+std::size_t Ellipse::partAt(const Vector2& normal) const
 {
-    // The flatter half of the outline, on both sides of the short axis, ends where both terms under the root
-    // are equal: radius ((a^2 + b^2)/2)^(3/2)/(a b).
-    const double across = a_ > b_ ? a_ * std::abs(normal.x()) : b_ * std::abs(normal.y());
-    const double along = a_ > b_ ? b_ * std::abs(normal.y()) : a_ * std::abs(normal.x());
-    if (across > along)
-    {
-        return {leastRadius(), true, normal, normal};
-    }
+    const bool aboutY = b_ * std::abs(normal.y()) >= a_ * std::abs(normal.x());
+    return aboutY ? (normal.y() >= 0 ? 0 : 2) : (normal.x() < 0 ? 1 : 3);
+}
+
+Vector2 Ellipse::partStart(std::size_t part) const
+{
+    const Vector2 first = Vector2(b_, a_) / std::hypot(a_, b_);
+    const Vector2 start = part % 2 == 0 ? first : Vector2(-first.x(), first.y());
+    return part < 2 ? start : Vector2(-start);
+}
+
+double Ellipse::partRadius(std::size_t part) const
+{
+    const bool isFlat = (part % 2 == 0) == (a_ > b_);
     const double diagonal = std::hypot(a_, b_);
-    const double radius = diagonal / a_ * (diagonal / b_) * diagonal / std::sqrt(8.0);
-    const Vector2 corner = Vector2(b_, a_) / diagonal;
-    const Vector2 first = a_ > b_ ? corner : Vector2(corner.x(), -corner.y());
-    const Vector2 last = Vector2(a_ > b_ ? -corner.x() : corner.x(), corner.y());
-    const bool opposite = a_ > b_ ? normal.y() < 0 : normal.x() < 0;
-    return {radius, false, opposite ? Vector2(-first) : first, opposite ? Vector2(-last) : last};
+    return isFlat ? diagonal / a_ * (diagonal / b_) * diagonal / std::sqrt(8.0) : leastRadius();
 }
 
 double Ellipse::leastRadiusBetween(const Vector2& first, const Vector2& last) const

@@ -49,7 +49,12 @@ public:
             std::numeric_limits<double>::infinity()};
     }
 
-    OutlineStretch stretchAt(const Vector2& normal) const;
+    /// Parts: the two flat halves and the two tips, which meet where both terms of q are equal.
+    std::size_t partAt(const Vector2& normal) const;
+    static std::size_t partAfter(std::size_t part) { return (part + 1) % 4; }
+    static std::size_t partBefore(std::size_t part) { return (part + 3) % 4; }
+    Vector2 partStart(std::size_t part) const;
+    double partRadius(std::size_t part) const;
     double leastRadiusBetween(const Vector2& first, const Vector2& last) const;
     double leastRadius() const { return a_ < b_ ? a_ * (a_ / b_) : b_ * (b_ / a_); }
     double innerRadius() const { return a_ < b_ ? a_ : b_; }

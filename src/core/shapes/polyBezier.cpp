@@ -120,12 +120,20 @@ Vector2 outwardNormal(const Vector2& tangent)
     return -perpendicular(tangent).normalized();
 }
 
-OutlineStretch stretchOf(const CubicBezier& curve)
+/// A stretch of the outline between two normals, with a lower bound of its radius of curvature [m].
+struct Stretch
 {
-    return {curve.leastCurvatureRadius(), false, outwardNormal(curve.startTangent()), outwardNormal(curve.endTangent())};
+    double leastRadius;
+    Vector2 firstNormal;
+    Vector2 lastNormal;
+};
+
+Stretch stretchOf(const CubicBezier& curve)
+{
+    return {curve.leastCurvatureRadius(), outwardNormal(curve.startTangent()), outwardNormal(curve.endTangent())};
 }
 
-bool isStraight(const OutlineStretch& stretch)
+bool isStraight(const Stretch& stretch)
 {
     return cross(stretch.firstNormal, stretch.lastNormal) <= tolerances::sameNormal
         && stretch.firstNormal.dot(stretch.lastNormal) > 0;
@@ -150,16 +158,15 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
 
     innerRadius_ = std::numeric_limits<double>::infinity();
     std::vector<Vector2> starts;
-    std::vector<Vector2> partStarts;
-    const auto addPart = [&](const OutlineStretch& part)
+    const auto addPart = [&](const Stretch& part)
     {
-        partStarts.push_back(part.firstNormal);
+        partStarts_.push_back(part.firstNormal);
         partRadii_.push_back(part.leastRadius);
     };
-    const auto addCurve = [&](const CubicBezier& curve, const OutlineStretch& stretch)
+    const auto addCurve = [&](const CubicBezier& curve, const Stretch& stretch)
     {
         curves_.push_back(curve);
-        stretches_.push_back(stretch);
+        ranges_.push_back({stretch.firstNormal, stretch.lastNormal});
         starts.push_back(stretch.firstNormal);
     };
     for (std::size_t i = 0; i < segments_.size(); ++i)
@@ -168,7 +175,7 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
         boundingRadius_ = std::max(boundingRadius_, furthestPoint(segment));
         innerRadius_ = std::min(innerRadius_, nearestChord(segment));
 
-        const OutlineStretch stretch = stretchOf(segment);
+        const Stretch stretch = stretchOf(segment);
         addCurve(segment, stretch);
         if (isStraight(stretch))
         {
@@ -186,7 +193,7 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
         if (cross(stretch.lastNormal, nextNormal) > tolerances::joint)
         {
             const Vector2& corner = segment.end();
-            const OutlineStretch atCorner{0, false, stretch.lastNormal, nextNormal};
+            const Stretch atCorner{0, stretch.lastNormal, nextNormal};
             addCurve(CubicBezier({corner, corner, corner, corner}), atCorner);
             addPart(atCorner);
         }
@@ -194,7 +201,30 @@ PolyBezier::PolyBezier(const std::vector<CubicBezier>& segments)
     requireSize(boundingRadius_, "an outline with a bounding radius");
     leastRadius_ = *std::min_element(partRadii_.begin(), partRadii_.end());
     normals_ = NormalTable(starts);
-    partNormals_ = NormalTable(partStarts);
+    partNormals_ = NormalTable(partStarts_);
+}
+
+double PolyBezier::roomAtCorner(std::size_t piece, const Vector2& normal) const
+{
+    const auto& [first, last] = ranges_[piece];
+    return std::max(0.0, std::min(cross(first, normal), cross(normal, last)));
+}
+
+CurvedCoordinates<TwoLanes> PolyBezier::searchedCurvedSupports(
+    const PolyBezier& a, const PolyBezier& b, const TwoLanes& x, const TwoLanes& y, PieceGuess& guess)
+{
+    const Vector2 normalA(x[0], y[0]);
+    const Vector2 normalB(x[1], y[1]);
+    const std::size_t pieceA = a.normals_.find(normalA);
+    const std::size_t pieceB = b.normals_.find(normalB);
+    guess = PieceGuess::of(pieceA, pieceB);
+    CurvedCoordinates<TwoLanes> result = curvedSupportOf(sideBySide(a.curves_[pieceA], b.curves_[pieceB], x, y));
+    if (!areAll(result.radius != 0))
+    {
+        const TwoLanes rooms{a.roomAtCorner(pieceA, normalA), b.roomAtCorner(pieceB, normalB)};
+        result.room = result.radius == 0 ? rooms : result.room;
+    }
+    return result;
 }
 
 double PolyBezier::leastRadiusBetween(const Vector2& first, const Vector2& last) const
@@ -204,7 +234,7 @@ double PolyBezier::leastRadiusBetween(const Vector2& first, const Vector2& last)
     double least = partRadii_[part];
     while (part != end)
     {
-        part = part + 1 == partRadii_.size() ? 0 : part + 1;
+        part = partAfter(part);
         least = std::min(least, partRadii_[part]);
     }
     return least;

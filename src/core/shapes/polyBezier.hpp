@@ -7,7 +7,7 @@
 #include "core/shapes/massProperties.hpp"
 #include "core/shapes/normalTable.hpp"
 
-#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace chesil
@@ -56,24 +56,29 @@ public:
         return result;
     }
 
-    /// The same of two grains at once, each along a unit normal (x[0], y[0]), (x[1], y[1]) in its own frame.
-    static CurvedCoordinates<TwoLanes> curvedSupports(const PolyBezier& a, const PolyBezier& b, const TwoLanes& x, const TwoLanes& y)
+    /// The same of two grains at once, each along a unit normal (x[0], y[0]), (x[1], y[1]) in its own frame. `guess`: the
+    /// pieces looked at first, and on return the right ones.
+    static CurvedCoordinates<TwoLanes> curvedSupports(
+        const PolyBezier& a, const PolyBezier& b, const TwoLanes& x, const TwoLanes& y, PieceGuess& guess)
     {
-        const Vector2 normalA(x[0], y[0]);
-        const Vector2 normalB(x[1], y[1]);
-        const std::size_t pieceA = a.normals_.find(normalA);
-        const std::size_t pieceB = b.normals_.find(normalB);
-        CurvedCoordinates<TwoLanes> result = chesil::curvedSupports(a.curves_[pieceA], b.curves_[pieceB], x, y);
-        if (!areAll(result.radius != 0))
+        if (guess.onA < a.curves_.size() && guess.onB < b.curves_.size())
         {
-            const TwoLanes rooms{a.roomAtCorner(pieceA, normalA), b.roomAtCorner(pieceB, normalB)};
-            result.room = result.radius == 0 ? rooms : result.room;
+            const auto segments = sideBySide(a.curves_[guess.onA], b.curves_[guess.onB], x, y);
+            if (segments.isWithin())
+            {
+                const auto& rise = segments.rise;
+                return curvedSupportAt(segments, supportRootWithin(rise[0], rise[1], rise[2]));
+            }
         }
-        return result;
+        return searchedCurvedSupports(a, b, x, y, guess);
     }
 
-    OutlineStretch stretchAt(const Vector2& normal) const { return stretches_[normals_.find(normal)]; }
     double leastRadiusBetween(const Vector2& first, const Vector2& last) const;
+    std::size_t partAt(const Vector2& normal) const { return partNormals_.find(normal); }
+    std::size_t partAfter(std::size_t part) const { return part + 1 < partRadii_.size() ? part + 1 : 0; }
+    std::size_t partBefore(std::size_t part) const { return (part > 0 ? part : partRadii_.size()) - 1; }
+    const Vector2& partStart(std::size_t part) const { return partStarts_[part]; }
+    double partRadius(std::size_t part) const { return partRadii_[part]; }
     double leastRadius() const { return leastRadius_; }
     double innerRadius() const { return innerRadius_; }
     static constexpr bool mayHaveStraightSides = true;
@@ -85,20 +90,21 @@ public:
     Outline outline() const { return Outline(segments_.begin(), segments_.end()); }
 
 private:
-    double roomAtCorner(std::size_t piece, const Vector2& normal) const
-    {
-        const OutlineStretch& corner = stretches_[piece];
-        return std::max(0.0, std::min(cross(corner.firstNormal, normal), cross(normal, corner.lastNormal)));
-    }
+    static CurvedCoordinates<TwoLanes> searchedCurvedSupports(
+        const PolyBezier& a, const PolyBezier& b, const TwoLanes& x, const TwoLanes& y, PieceGuess& guess);
+
+    double roomAtCorner(std::size_t piece, const Vector2& normal) const;
 
     std::vector<CubicBezier> segments_;
     Vector2 givenCentroid_ = Vector2::Zero();
     /// The segments and, as curves of no length, the corners between them.
     std::vector<CubicBezier> curves_;
-    std::vector<OutlineStretch> stretches_;
+    /// First and last normal of each.
+    std::vector<std::array<Vector2, 2>> ranges_;
     NormalTable normals_;
     /// Least radius of curvature of each part of the curves, for bounds that are nearly tight.
     std::vector<double> partRadii_;
+    std::vector<Vector2> partStarts_;
     NormalTable partNormals_;
     std::vector<StraightSide> straightSides_;
     double leastRadius_ = 0;

@@ -71,13 +71,14 @@ PairStatus contactOf(
     ContactGeometry<2>& contact,
     Cost cost)
 {
-    const MinkowskiDifference<2, ShapeA, ShapeB, Cost> difference(a, poseA, b, poseB, cost);
+    const MinkowskiDifference<2, ShapeA, ShapeB, Cost> difference(a, poseA, b, poseB, cost, start.pieces);
     const double squaredDistance = difference.centreToCentre().squaredNorm();
     if (!(squaredDistance <= difference.size() * difference.size()))
     {
         return std::isfinite(squaredDistance) ? PairStatus::separated : PairStatus::notFinite;
     }
     const Penetration<2> found = search(a, poseA, b, poseB, difference, start);
+    start.pieces = difference.pieces();
     if (found.status == PairStatus::notFinite || found.status == PairStatus::undecided)
     {
         return found.status;

@@ -170,7 +170,7 @@ private:
     const Law& lawOf(const LawTable<Law>& laws, const Contact<2>& contact) const;
     void resolveContacts(double timeStep);
     template <bool periodic, class Law>
-    void resolveDisks(const LawTable<Law>& laws, std::size_t index, double timeStep);
+    std::size_t resolveDisks(const LawTable<Law>& laws, double timeStep);
     template <bool periodic, class Law>
     void resolve(const LawTable<Law>& laws, std::size_t index, double timeStep);
     Pose<2> imageOfSecond(const Contact<2>& contact) const;

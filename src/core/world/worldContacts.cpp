@@ -20,45 +20,51 @@ template <bool periodic, class Law>
 void World::resolveAll(const LawTable<Law>& laws, double timeStep)
 {
     const std::size_t entries = list_.contacts().size();
-    for (std::size_t i = 0; i < entries; i += list_.placesOf(i))
+    for (std::size_t i = onlyDisks_ ? resolveDisks<periodic>(laws, timeStep) : 0; i < entries; i += list_.placesOf(i))
     {
-        if (onlyDisks_ && !list_.contacts()[i].withWall())
-        {
-            resolveDisks<periodic>(laws, i, timeStep);
-        }
-        else
-        {
-            resolve<periodic>(laws, i, timeStep);
-        }
+        resolve<periodic>(laws, i, timeStep);
     }
 }
 
-/// What resolve() does, without what disks have no need of: they are so cheap that it would show.
+/// What resolve() does for pairs of grains, which come first, without what disks have no need of: they are so cheap that it
+/// would show. Returns the first entry with a wall.
 template <bool periodic, class Law>
-void World::resolveDisks(const LawTable<Law>& laws, std::size_t index, double timeStep)
+std::size_t World::resolveDisks(const LawTable<Law>& laws, double timeStep)
 {
-    Contact<2>& contact = list_.contacts()[index];
-    const auto i = static_cast<std::size_t>(contact.first);
-    const auto j = static_cast<std::size_t>(contact.second);
-    const Vector2& position = bodies_.pose[i].position;
-    Vector2 between = bodies_.pose[j].position - position;
-    if (periodic && contact.withImage())
+    Contact<2>* const contacts = list_.contacts().data();
+    const std::size_t entries = list_.contacts().size();
+    const Pose<2>* const poses = bodies_.pose.data();
+    const double* const radii = bodies_.boundingRadius.data();
+    std::size_t touching = 0;
+    std::size_t index = 0;
+    for (; index < entries && !contacts[index].withWall(); ++index)
     {
-        between += offsetOf(contact);
+        const Contact<2>& contact = contacts[index];
+        const auto i = static_cast<std::size_t>(contact.first);
+        const auto j = static_cast<std::size_t>(contact.second);
+        const Vector2& position = poses[i].position;
+        Vector2 between = poses[j].position - position;
+        if (periodic && contact.withImage())
+        {
+            between += offsetOf(contact);
+        }
+        ContactGeometry<2> found;
+        if (diskContact(position, between, radii[i], radii[j], found))
+        {
+            ++touching;
+            load<periodic>(lawOf(laws, contact), index, found, timeStep);
+        }
+        else if (contact.depth > 0)
+        {
+            release(lawOf(laws, contact), index);
+        }
     }
-    ContactGeometry<2> found;
-    const bool touches = diskContact(position, between, bodies_.boundingRadius[i], bodies_.boundingRadius[j], found);
     if (settings_.contactStatistics)
     {
-        ++contactStatistics_.queries;
-        contactStatistics_.contacts += touches;
+        contactStatistics_.queries += index;
+        contactStatistics_.contacts += touching;
     }
-    if (!touches)
-    {
-        release(lawOf(laws, contact), index);
-        return;
-    }
-    load<periodic>(lawOf(laws, contact), index, found, timeStep);
+    return index;
 }
 
 template <bool periodic, class Law>

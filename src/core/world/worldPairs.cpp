@@ -68,7 +68,7 @@ PairStatus World::queryGrains(Contact<2>& contact, const Pose<2>& poseJ, Contact
 {
     const auto i = static_cast<std::size_t>(contact.first);
     const auto j = static_cast<std::size_t>(contact.second);
-    SearchStart start{contact.normal, contact.turn};
+    SearchStart start{contact.normal, contact.turn, contact.pieces};
     PairStatus status;
     if (settings_.contactStatistics)
     {
@@ -84,6 +84,7 @@ PairStatus World::queryGrains(Contact<2>& contact, const Pose<2>& poseJ, Contact
     }
     contact.normal = start.direction;
     contact.turn = static_cast<float>(start.turn);
+    contact.pieces = start.pieces;
     return status;
 }
 
@@ -96,10 +97,11 @@ bool World::touchesWall(Contact<2>& contact, ContactGeometry<2>& found) const
     {
         return false;
     }
-    SearchStart start{contact.normal, contact.turn};
+    SearchStart start{contact.normal, contact.turn, contact.pieces};
     const bool touches = wallContact(shapeOf(i), pose, wall, start, found);
     contact.normal = start.direction;
     contact.turn = static_cast<float>(start.turn);
+    contact.pieces = start.pieces;
     return touches;
 }
 

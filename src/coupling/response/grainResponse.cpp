@@ -38,6 +38,10 @@ GrainLoads GrainResponse::hydrodynamicLoads(const GrainLoads& forcing) const
 
 StepStatus GrainResponse::advance(const GrainLoads& forcing, double interval)
 {
+    if (!(interval > 0) || !std::isfinite(interval))
+    {
+        return StepStatus::badTimeStep;
+    }
     const Bodies<2>& bodies = world_.bodies();
     const GrainLoads loads = hydrodynamicLoads(forcing);
     for (std::size_t i = 0; i < bodies.size(); ++i)

@@ -24,7 +24,8 @@ public:
     /// substep over its stable one.
     GrainResponse(World& world, double fluidDensity, double shareOfStable);
 
-    /// Moves the grains over `interval` [s] under the forcing's loads, summed over all ranks.
+    /// Moves the grains over `interval` [s] under the forcing's loads, summed over all ranks. An interval that is not
+    /// positive and finite changes nothing: badTimeStep.
     StepStatus advance(const GrainLoads& forcing, double interval);
 
     /// What the fluid does to the grains: the forcing's loads and the inertia of the inside fluid; without buoyancy.

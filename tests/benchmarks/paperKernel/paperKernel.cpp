@@ -15,8 +15,9 @@ namespace
 
 /// Of the files that go beside the result: its path without the endings.
 std::string besideResult;
+PackingFiles files;
 
-void reportPacking(const World& world, double seconds)
+void reportPacking(const World& world)
 {
     double speed = 0;
     for (const Vector2& velocity : world.bodies().velocity)
@@ -28,26 +29,20 @@ void reportPacking(const World& world, double seconds)
     {
         touching += contact.depth > 0 ? (contact.withWall() ? 1 : 2) : 0;
     }
-    std::printf("    settled in %.0f s of CPU time: mean speed %.1e m/s, kinetic over contact "
-                "energy %.1e, %.2f contacts a grain, largest overlap %.1e\n",
-                seconds, speed,
+    std::printf("    %zu grains: mean speed %.1e m/s, kinetic over contact energy %.1e, %.2f contacts a grain, "
+                "largest overlap %.1e\n",
+                world.bodies().size(), speed,
                 kineticEnergy(world.bodies()) / world.contactEnergy(),
                 touching / static_cast<double>(world.bodies().size()), world.largestRelativeOverlap());
 }
 
 Results measure()
 {
-    const PackingOptions options;
-    std::printf("    seeds %llu (shapes), %llu (places); %d grains, %d steps of %g s\n",
-                static_cast<unsigned long long>(options.shapeSeed),
-                static_cast<unsigned long long>(options.placeSeed), options.grains, options.steps,
-                options.timeStep);
-    const double start = cpuSeconds();
-    World world(packingSettings(options));
-    settle(world, options);
-    reportPacking(world, cpuSeconds() - start);
+    World world(packingSettings(files));
+    world.updateForces();
+    reportPacking(world);
 
-    const std::vector<NearPair> pairs = nearPairs(world, options);
+    const std::vector<NearPair> pairs = nearPairs(world);
     std::vector<PairCalls> calls;
     std::vector<ContactPair> contacts;
     for (const NearPair& pair : pairs)
@@ -69,11 +64,8 @@ Results measure()
         {"knob", "support calls of A - B"},
         {"size", "sum of the two bounding radii"},
         {"floor", text("residuals below %.2g are rounding and count as that", floorOfResidual)},
-        {"packing", text("%d grains after Lai & Huang, section 5.2, %d steps of %g s", options.grains,
-                         options.steps, options.timeStep)},
+        {"packing", text("%zu grains as tutorials/dry/randomPacking leaves them (Lai & Huang, section 5.2)", world.bodies().size())},
         {"clock", text("CPU time, median of %d rounds over all pairs", rounds)},
-        {"seed", text("%llu (shapes), %llu (places)", static_cast<unsigned long long>(options.shapeSeed),
-                      static_cast<unsigned long long>(options.placeSeed))},
     };
     writeHistograms(besideResult + "Fig14.csv", calls);
     writePairTypes(besideResult + "Table1.csv", pairs, calls);
@@ -90,11 +82,15 @@ std::string withoutEnding(const std::string& path, const std::string& ending)
 
 } // namespace
 
+/// paperKernel <result> <table of grains> <template file> ...
 int main(int argumentCount, char** arguments)
 {
-    if (argumentCount == 2)
+    if (argumentCount < 4)
     {
-        besideResult = withoutEnding(withoutEnding(arguments[1], ".part"), ".csv");
+        std::fprintf(stderr, "usage: %s <file to write> <table of grains> <template file> ...\n", arguments[0]);
+        return 1;
     }
-    return run(argumentCount, arguments, measure);
+    besideResult = withoutEnding(withoutEnding(arguments[1], ".part"), ".csv");
+    files = {arguments[2], {arguments + 3, arguments + argumentCount}};
+    return run(2, arguments, measure);
 }

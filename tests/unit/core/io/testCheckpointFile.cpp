@@ -127,7 +127,7 @@ TEST_F(CheckpointFile, theSameSectionsGiveTheSameBytes)
     const std::string first = contentOf(path_);
     writeSmall();
     EXPECT_EQ(contentOf(path_), first);
-    EXPECT_THAT(first, testing::StartsWith("chesil checkpoint 2\n"));
+    EXPECT_THAT(first, testing::StartsWith("chesil checkpoint 3\n"));
 }
 
 TEST_F(CheckpointFile, everyChangeOfOneByteIsFound)

@@ -61,10 +61,15 @@ TEST(PairedSupport, isThatOfEachGrainAlone)
             const StraightSide* side = b.straightSideFacing(Vector2(std::cos(other), std::sin(other)));
             const Vector2 normalA(std::cos(angle), std::sin(angle));
             const Vector2 normalB = side && direction % 2 ? side->normal : Vector2(std::cos(other), std::sin(other));
-            const auto paired = PolyBezier::curvedSupports(
-                a, b, TwoLanes{normalA.x(), normalB.x()}, TwoLanes{normalA.y(), normalB.y()});
-            expectSame(a.curvedSupport(normalA), paired, 0);
-            expectSame(b.curvedSupport(normalB), paired, 1);
+            // A guess of other pieces, or of none, costs time only; the pieces found are the right ones.
+            auto guess = PieceGuess::of(static_cast<std::size_t>(random.integer(0, 12)), static_cast<std::size_t>(random.integer(0, 300)));
+            for (int attempt = 0; attempt < 2; ++attempt)
+            {
+                const auto paired = PolyBezier::curvedSupports(
+                    a, b, TwoLanes{normalA.x(), normalB.x()}, TwoLanes{normalA.y(), normalB.y()}, guess);
+                expectSame(a.curvedSupport(normalA), paired, 0);
+                expectSame(b.curvedSupport(normalB), paired, 1);
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace chesil
 {
@@ -104,6 +105,17 @@ TEST(GrainResponse, aDrivenGrainKeepsItsVelocityUnderAnyLoad)
     EXPECT_EQ(response.advance(loads, 0.1), StepStatus::done);
     EXPECT_EQ(world.bodies().velocity[0], Vector2(0.3, -0.1));
     EXPECT_LT((world.bodies().pose[0].position - Vector2(0.03, -0.01)).norm(), 1e-15);
+}
+
+TEST(GrainResponse, anIntervalThatIsNoTimeStepIsRefusedAndMovesNothing)
+{
+    for (const double interval : {0.0, -1e-3, std::nan(""), std::numeric_limits<double>::infinity()})
+    {
+        AddedMassFluid fluid(2, 1);
+        EXPECT_EQ(fluid.response.advance(fluid.loads, interval), StepStatus::badTimeStep) << interval;
+        EXPECT_EQ(fluid.world.bodies().pose[0].position, Vector2(0, 0)) << interval;
+        EXPECT_EQ(fluid.world.bodies().velocity[0], Vector2(0, 0)) << interval;
+    }
 }
 
 } // namespace chesil
