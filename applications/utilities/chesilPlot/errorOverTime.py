@@ -79,6 +79,18 @@ def drawMethod(axes, method, points, number, joined):
     return bool(exact)
 
 
+def drawNoise(axes, comments):
+    """Comment noise, a number and what it is: errors below it are chance, and shaded."""
+    if "noise" not in comments:
+        return
+    number, _, what = comments["noise"].partition(" ")
+    low, high = axes.get_ylim()
+    axes.axhspan(low, float(number), color=style.FAINT_INK, alpha=0.12, linewidth=0)
+    axes.set_ylim(low, max(high, 1.2 * float(number)))
+    axes.annotate(what, (1, 0), xycoords="axes fraction", xytext=(-4, 4), textcoords="offset points",
+                  ha="right", va="bottom", fontsize=7.5, color=style.FAINT_INK)
+
+
 def labelShortAxis(axis, low, high):
     """Less than two decades hold one power of ten or two: too few to read numbers from."""
     if high < 100 * low:
@@ -104,6 +116,7 @@ def draw(options):
     axes.margins(0.08)
     labelShortAxis(axes.xaxis, *axes.get_xlim())
     labelShortAxis(axes.yaxis, *axes.get_ylim())
+    drawNoise(axes, comments)
     axes.set_xlabel(comments.get("time", "time"))
     axes.set_ylabel(comments.get("error", "error"))
     note = "numbers" if joined else "a point for each of"

@@ -36,8 +36,13 @@ bool risesUpTo(const Vector2& border, int sense, const Difference& difference, c
     auto ofA = difference.walkA(valley.normal, sense);
     auto ofB = difference.walkB(valley.normal, sense);
     Vector2 normal = valley.normal;
-    // At least as far out as the boundary's own point there.
+    // A point of A - B: the boundary's own at this normal, or one of it further ahead.
     Vector2 point = sense > 0 ? valley.end : valley.start;
+    if (valley.onStraightSide)
+    {
+        // The ends of a chord are at normals of their own, and parts from here on would count an arc twice.
+        return border.dot(point) >= enough;
+    }
     for (int i = 0; i < mostParts; ++i)
     {
         Vector2 next = border;

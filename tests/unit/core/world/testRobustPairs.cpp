@@ -88,9 +88,10 @@ TEST(RobustPairs, thoseThatFailedOnce)
     Survey survey(maker, batchSize);
     // Newton's step from one end of an ellipse to the other and back; a nearly straight side taken for a circle; joints
     // of unlike curves; concentric and identical pairs whose height is nearly constant; a corner on a flat curve;
-    // a slender tip between two equal radii; no length between two supports.
+    // a slender tip between two equal radii; no length between two supports; an arc counted twice at a chord's end.
     for (const std::int64_t pair :
-         {46425, 93016, 38100, 77109, 65535, 7849, 95817, 3607996, 15568, 39381, 5997919, 7515, 87847, 31976, 233916})
+         {46425, 93016, 38100, 77109, 65535, 7849, 95817, 3607996, 15568, 39381, 5997919, 7515, 87847, 31976, 233916,
+          5992896, 873537, 6992812, 4792774, 4353148})
     {
         survey.runBatch(pair / batchSize);
     }
