@@ -30,9 +30,19 @@ int otsuThreshold(const std::string& path, const GreyImage& grey, const ImageSet
         throw SetupError(path, "image", "one grey value (" + std::to_string(first) + ") everywhere",
                          expectedGrains(settings));
     }
+    // Leptonica's split overflows on the 65536 values of 16 bits.
+    constexpr int mostBins = 1024;
+    const int valuesPerBin = (last - first) / mostBins + 1;
+    const Owned<Numa> bins(numaMakeConstant(0, static_cast<l_float32>((last - first) / valuesPerBin + 1)));
+    for (int value = first; value <= last; ++value)
+    {
+        l_int32 count = 0;
+        numaGetIValue(histogram.get(), value, &count);
+        numaShiftValue(bins.get(), (value - first) / valuesPerBin, static_cast<l_float32>(count));
+    }
     l_int32 split = 0;
-    numaSplitDistribution(histogram.get(), 0, &split, nullptr, nullptr, nullptr, nullptr, nullptr);
-    return std::min(split, last - 1);
+    numaSplitDistribution(bins.get(), 0, &split, nullptr, nullptr, nullptr, nullptr, nullptr);
+    return std::min(first + (split + 1) * valuesPerBin - 1, last - 1);
 }
 
 int thresholdOf(const std::string& path, const GreyImage& grey, const ImageSettings& settings)

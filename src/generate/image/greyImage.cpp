@@ -23,10 +23,13 @@ public:
     WholePngDepth& operator=(const WholePngDepth&) = delete;
 };
 
+std::string mostPixelsText() { return "at most " + std::to_string(mostPixels) + " pixels"; }
+
+/// Leptonica does not tell which.
 SetupError noImage(const std::string& path)
 {
-    return SetupError(path, "image", "no image, or one that is cut short or damaged",
-                      "a whole PNG, JPEG or TIFF image");
+    return SetupError(path, "image", "no image, or one that is cut short, damaged or too large",
+                      "a whole PNG, JPEG or TIFF image of " + mostPixelsText());
 }
 
 void requireSize(const std::string& path, long width, long height)
@@ -34,7 +37,7 @@ void requireSize(const std::string& path, long width, long height)
     if (width * height > mostPixels)
     {
         throw SetupError(path, "image", std::to_string(width) + " x " + std::to_string(height) + " pixels",
-                         "at most " + std::to_string(mostPixels) + " pixels: cut it into parts");
+                         mostPixelsText() + ": cut it into parts");
     }
 }
 
