@@ -1,6 +1,7 @@
 #include "generate/image/greyImage.hpp"
 
 #include "core/base/setupError.hpp"
+#include "generate/image/wholeTiff.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -55,7 +56,8 @@ Owned<Pix> readAsStored(const std::string& path)
     l_int32 bits = 0;
     l_int32 samples = 0;
     l_int32 hasPalette = 0;
-    if (pixReadHeader(path.c_str(), &format, &width, &height, &bits, &samples, &hasPalette) != 0)
+    if (pixReadHeader(path.c_str(), &format, &width, &height, &bits, &samples, &hasPalette) != 0 ||
+        !isWholeTiff(path))
     {
         throw noImage(path);
     }
