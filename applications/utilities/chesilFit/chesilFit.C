@@ -9,11 +9,13 @@ Group
     grpChesil
 
 Description
-    Makes templates of smooth convex grains from an image of dark grains on a
-    light ground. Needs no case.
+    Makes templates of smooth convex grains from an image of grains or from
+    their outlines. Needs no case.
 
     Writes a template file (doc/templateFile.md) with one polybezier grain for
-    each whole grain of the image, turned as in the image.
+    each whole grain of the image, turned as in the image. The file's ending
+    tells what is read (doc/grainFit.md): .csv and .geojson or .json outlines,
+    everything else an image, PNG, JPEG or TIFF.
 
 Usage
     \b chesilFit [OPTION] image
@@ -41,18 +43,29 @@ Usage
         Grey values (0 black to 255 white) up to this one are grain,
         default: Otsu's choice
 
+      - \par -light
+        Light grains on a dark ground: the grey values above are grain
+
+      - \par -split
+        Cut grains apart that seem to touch; without it they are named only
+
+      - \par -labels
+        The image has a value of its own for each grain
+
+      - \par -ground \<value\>
+        The ground's value in a label image, default: 0
+
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
 #include "clockTime.H"
+#include "imageOptions.H"
 
-#include "core/base/setupError.hpp"
 #include "core/io/templateFile.hpp"
 #include "generate/fit/fitTables.hpp"
-#include "generate/image/silhouetteReader.hpp"
+#include "generate/image/imageSummary.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -70,10 +83,15 @@ static void declareOptions()
     argList::removeOption("case");
     argList::addNote
     (
-        "Make templates of smooth convex grains from an image of dark grains"
-        " on a light ground"
+        "Make templates of smooth convex grains from an image of grains or"
+        " from their outlines"
     );
-    argList::addArgument("image", "PNG, JPEG or TIFF, colour or grey");
+    argList::addArgument
+    (
+        "image",
+        "By its ending: outlines (.csv with the columns id, x, y; .geojson or"
+        " .json), else an image (PNG, JPEG or TIFF, colour or grey)"
+    );
     argList::addOption
     (
         "segments", "number", "Bezier segments of each grain (default: 10)"
@@ -94,59 +112,7 @@ static void declareOptions()
     (
         "placement", "file", "Table (CSV) of each grain's centroid in the image"
     );
-    argList::addOption
-    (
-        "minPixels",
-        "number",
-        "Grains of fewer pixels are dropped as specks (default: 200)"
-    );
-    argList::addOption
-    (
-        "threshold",
-        "grey",
-        "Grey values from 0 (black) up to this one are grain (default: Otsu's)"
-    );
-}
-
-
-//- The number that an option gives, if it is there. Read here, since argList
-//  would answer a NaN with a floating point exception
-static bool readNumber(const argList& args, const word& option, double& number)
-{
-    if (!args.found(option))
-    {
-        return false;
-    }
-    const string& text = args[option];
-    char* end = nullptr;
-    number = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(number))
-    {
-        throw chesil::SetupError
-        (
-            "(command line)", "-" + option, "'" + text + "'", "a number"
-        );
-    }
-    return true;
-}
-
-
-static bool readNumber(const argList& args, const word& option, int& number)
-{
-    double given = 0;
-    if (!readNumber(args, option, given))
-    {
-        return false;
-    }
-    if (given != std::floor(given) || std::abs(given) > 1e9)
-    {
-        throw chesil::SetupError
-        (
-            "(command line)", "-" + option, args[option], "a whole number"
-        );
-    }
-    number = int(given);
-    return true;
+    declareImageOptions();
 }
 
 
@@ -177,26 +143,11 @@ static void printSummary
 )
 {
     Info<< "Grains found              " << label(fits.size()) << nl
-        << "Specks dropped            " << image.specksDropped
-        << " (fewer than " << settings.minPixels << " pixels)" << nl
-        << "Border-touching dropped   " << image.borderDropped << endl;
+        << chesil::imageFindings(image, settings).c_str();
 
     printMedian("Accuracy to silhouette    ", fits, &chesil::GrainFit::accuracySilhouette);
     printMedian("Accuracy to convex hull   ", fits, &chesil::GrainFit::accuracyHull);
     printMedian("Milliseconds a grain      ", fits, &chesil::GrainFit::milliseconds);
-
-    const auto farFromConvex = std::count_if
-    (
-        fits.begin(),
-        fits.end(),
-        [](const chesil::GrainFit& fit) { return fit.accuracySilhouette < 0.9; }
-    );
-    if (farFromConvex)
-    {
-        Info<< "Note: the accuracy to the silhouette is below 0.9 for "
-            << label(farFromConvex) << " grains that are far from convex;"
-            << " a template is convex and fills their hollows" << endl;
-    }
 }
 
 
@@ -205,21 +156,14 @@ static void run(const argList& args)
     const clockTime timer;
     const fileName path = args.get<fileName>(1);
 
-    chesil::ImageSettings imageSettings;
-    readNumber(args, "minPixels", imageSettings.minPixels);
-    int threshold = 0;
-    if (readNumber(args, "threshold", threshold))
-    {
-        imageSettings.threshold = threshold;
-    }
+    const chesil::ImageSettings imageSettings = readImageSettings(args);
     chesil::FitSettings fitSettings;
     readNumber(args, "segments", fitSettings.segments);
     readNumber(args, "scale", fitSettings.scale);
 
     const chesil::ImageGrains image = chesil::readGrains(path, imageSettings);
-    Info<< "Image " << path.c_str() << ": " << image.width << " x " << image.height
-        << " pixels, grey values up to " << image.threshold
-        << " taken as grain" << endl;
+    Info<< chesil::imageTitle(path, image, imageSettings).c_str() << endl;
+    fitSettings.scale *= image.pixelSize;
     const std::vector<chesil::GrainFit> fits =
         chesil::fitGrains(path, image, fitSettings);
 

@@ -1,0 +1,170 @@
+#include "generate/image/subPixelOutline.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace chesil
+{
+
+namespace
+{
+
+/// A pixel edge of the silhouette's outer boundary, walked with the grain on the left.
+struct Crack
+{
+    int insideX;
+    int insideY;
+    int stepX; // from the pixel inside to the one outside
+    int stepY;
+};
+
+/// The outer boundary, from the leftmost pixel of the lowest row. Turns left where two pixels share a
+/// corner only, so that it goes around pixels joined by their edges.
+std::vector<Crack> outerBoundary(const Silhouette& silhouette)
+{
+    int x = 0;
+    while (!silhouette.dark(x, 0))
+    {
+        ++x;
+    }
+    // Right, up, left, down; the pixel to the left of a step from the corner (x, y).
+    constexpr std::array<std::array<int, 2>, 4> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+    constexpr std::array<std::array<int, 2>, 4> leftPixel{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
+    const int startX = x;
+    int y = 0;
+    std::size_t direction = 0;
+    std::vector<Crack> cracks;
+    do
+    {
+        const std::size_t toTheRight = (direction + 3) % 4;
+        cracks.push_back({x + leftPixel[direction][0], y + leftPixel[direction][1], steps[toTheRight][0],
+                          steps[toTheRight][1]});
+        x += steps[direction][0];
+        y += steps[direction][1];
+        const int aheadX = x + leftPixel[direction][0];
+        const int aheadY = y + leftPixel[direction][1];
+        if (!silhouette.dark(aheadX, aheadY))
+        {
+            direction = (direction + 1) % 4;
+        }
+        else if (silhouette.dark(aheadX + steps[toTheRight][0], aheadY + steps[toTheRight][1]))
+        {
+            direction = toTheRight;
+        }
+    } while (x != startX || y != 0 || direction != 0);
+    return cracks;
+}
+
+/// 0 of none.
+double median(std::vector<int>& values)
+{
+    if (values.empty())
+    {
+        return 0;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// The grey values around a silhouette, in its frame.
+class GreyAround
+{
+public:
+    GreyAround(const GreyImage& image, const Silhouette& silhouette)
+        : image_(image), silhouette_(silhouette), left_(static_cast<int>(silhouette.corner().x())),
+          bottom_(static_cast<int>(silhouette.corner().y()))
+    {
+    }
+
+    bool has(int x, int y) const
+    {
+        return left_ + x >= 0 && left_ + x < image_.width() && bottom_ + y >= 0 &&
+               bottom_ + y < image_.height();
+    }
+
+    int value(int x, int y) const { return image_.value(left_ + x, bottom_ + y); }
+
+    /// Without the holes that were filled.
+    double grainMedian(const GreyLevel& level) const
+    {
+        std::vector<int> values;
+        for (int y = 0; y < silhouette_.height(); ++y)
+        {
+            for (int x = 0; x < silhouette_.width(); ++x)
+            {
+                if (silhouette_.dark(x, y) && level.depth(value(x, y)) > 0)
+                {
+                    values.push_back(value(x, y));
+                }
+            }
+        }
+        return median(values);
+    }
+
+    /// Two pixels away from the grain, where a mixed pixel no longer reaches.
+    double groundMedian(const std::vector<Crack>& cracks) const
+    {
+        std::vector<int> values;
+        for (const Crack& crack : cracks)
+        {
+            const int x = crack.insideX + 2 * crack.stepX;
+            const int y = crack.insideY + 2 * crack.stepY;
+            if (has(x, y))
+            {
+                values.push_back(value(x, y));
+            }
+        }
+        return median(values);
+    }
+
+private:
+    const GreyImage& image_;
+    const Silhouette& silhouette_;
+    int left_;
+    int bottom_;
+};
+
+bool hasMixedPixels(const GreyAround& around, const GreyLevel& level, const std::vector<Crack>& cracks)
+{
+    constexpr double leastShare = 0.25;
+    const double grain = around.grainMedian(level);
+    const double ground = around.groundMedian(cracks);
+    const auto isMixed = [&](int grey)
+    { return std::abs(grey - (grain + ground) / 2) < std::abs(ground - grain) / 4; };
+    const auto mixed = std::count_if(
+        cracks.begin(), cracks.end(),
+        [&](const Crack& crack)
+        {
+            return isMixed(around.value(crack.insideX, crack.insideY)) ||
+                   isMixed(around.value(crack.insideX + crack.stepX, crack.insideY + crack.stepY));
+        });
+    return static_cast<double>(mixed) >= leastShare * static_cast<double>(cracks.size());
+}
+
+} // namespace
+
+std::vector<Vector2> subPixelOutline(const GreyImage& image, const GreyLevel& level,
+                                     const Silhouette& silhouette)
+{
+    const std::vector<Crack> cracks = outerBoundary(silhouette);
+    const GreyAround around(image, silhouette);
+    if (!hasMixedPixels(around, level, cracks))
+    {
+        return {};
+    }
+    std::vector<Vector2> outline;
+    outline.reserve(cracks.size());
+    for (const Crack& crack : cracks)
+    {
+        const double inside = level.depth(around.value(crack.insideX, crack.insideY));
+        const double outside =
+            level.depth(around.value(crack.insideX + crack.stepX, crack.insideY + crack.stepY));
+        const double share = outside < 0 ? inside / (inside - outside) : 0.5;
+        outline.emplace_back(crack.insideX + 0.5 + share * crack.stepX,
+                             crack.insideY + 0.5 + share * crack.stepY);
+    }
+    return outline;
+}
+
+} // namespace chesil

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "generate/image/greyImage.hpp"
+#include "generate/image/silhouette.hpp"
+
+#include <vector>
+
+namespace chesil
+{
+
+/// What tells grain from ground: grain is what is not beyond `level`, which no pixel's value hits.
+struct GreyLevel
+{
+    double level = 0;
+    bool lightGrains = false;
+
+    /// Positive in the grain, negative in the ground; in grey values.
+    double depth(int grey) const { return lightGrains ? grey - level : level - grey; }
+};
+
+/// The silhouette's outer edge where linear interpolation between the centres of neighbouring pixels meets
+/// the level (marching squares; Lorensen & Cline's case of a plane): a polygon, counter-clockwise, in the
+/// silhouette's frame, one vertex for each pixel edge between the grain and what lies around it. Between
+/// pixels that are both grain (two parts of a split one) the vertex is half way. Pixels that share a corner
+/// only are not joined.
+///
+/// Empty if the grey values know nothing finer than the pixels: if, at fewer than a quarter of the pixel
+/// edges, either pixel is mixed, that is in the middle half between the grain's median and the ground's. Half
+/// of the edges have one where pixels average what they cover, none where an image is drawn pixel by pixel;
+/// then interpolation would put the edge by the threshold and not by the grain. `silhouette` must not touch
+/// the image's border.
+std::vector<Vector2> subPixelOutline(const GreyImage& image, const GreyLevel& level,
+                                     const Silhouette& silhouette);
+
+} // namespace chesil
