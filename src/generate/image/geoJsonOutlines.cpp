@@ -7,6 +7,7 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -23,12 +24,14 @@ constexpr const char* expectedPolygons = "features that are Polygon or MultiPoly
 
 double coordinate(const Json& value)
 {
-    const auto number = value.get_value_optional<double>();
-    if (!number || !std::isfinite(*number))
+    const std::string& text = value.data();
+    double number = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
     {
-        throw ValueError("the coordinate '" + value.data() + "'", "a number");
+        throw ValueError("the coordinate '" + text + "'", "a number");
     }
-    return *number;
+    return number;
 }
 
 std::vector<Vector2> readRing(const Json& ring)

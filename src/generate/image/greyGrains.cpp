@@ -19,7 +19,26 @@ std::string expectedGrains(const ImageSettings& settings)
     return settings.lightGrains ? "light grains on a dark ground" : "dark grains on a light ground";
 }
 
-/// Otsu's threshold: the last grey value of the darker class, which never holds the lightest value.
+int countOf(const Numa& histogram, int value) { return static_cast<int>(histogram.array[value]); }
+
+/// Otsu's threshold: the darker class's last grey value, at least `first` and less than `last`.
+int otsuSplit(const Numa& histogram, int first, int last)
+{
+    // Leptonica's function overflows on the 65536 values of 16 bits.
+    constexpr int mostBins = 1024;
+    const int valuesPerBin = (last - first) / mostBins + 1;
+    const Owned<Numa> bins(numaMakeConstant(0, (last - first) / valuesPerBin + 1));
+    for (int value = first; value <= last; ++value)
+    {
+        numaShiftValue(bins.get(), (value - first) / valuesPerBin,
+                       static_cast<l_float32>(countOf(histogram, value)));
+    }
+    l_int32 split = 0;
+    numaSplitDistribution(bins.get(), 0, &split, nullptr, nullptr, nullptr, nullptr, nullptr);
+    return std::min(first + (split + 1) * valuesPerBin - 1, last - 1);
+}
+
+/// Otsu's threshold, in the middle between the two classes' next values, where every one between them does.
 int otsuThreshold(const std::string& path, const GreyImage& grey, const ImageSettings& settings)
 {
     const Owned<Numa> histogram(pixGetGrayHistogram(grey.pixels(), 1));
@@ -30,19 +49,17 @@ int otsuThreshold(const std::string& path, const GreyImage& grey, const ImageSet
         throw SetupError(path, "image", "one grey value (" + std::to_string(first) + ") everywhere",
                          expectedGrains(settings));
     }
-    // Leptonica's split overflows on the 65536 values of 16 bits.
-    constexpr int mostBins = 1024;
-    const int valuesPerBin = (last - first) / mostBins + 1;
-    const Owned<Numa> bins(numaMakeConstant(0, static_cast<l_float32>((last - first) / valuesPerBin + 1)));
-    for (int value = first; value <= last; ++value)
+    int dark = otsuSplit(*histogram, first, last);
+    int light = dark + 1;
+    while (countOf(*histogram, dark) == 0)
     {
-        l_int32 count = 0;
-        numaGetIValue(histogram.get(), value, &count);
-        numaShiftValue(bins.get(), (value - first) / valuesPerBin, static_cast<l_float32>(count));
+        --dark;
     }
-    l_int32 split = 0;
-    numaSplitDistribution(bins.get(), 0, &split, nullptr, nullptr, nullptr, nullptr, nullptr);
-    return std::min(first + (split + 1) * valuesPerBin - 1, last - 1);
+    while (countOf(*histogram, light) == 0)
+    {
+        ++light;
+    }
+    return (dark + light) / 2;
 }
 
 int thresholdOf(const std::string& path, const GreyImage& grey, const ImageSettings& settings)

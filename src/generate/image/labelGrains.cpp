@@ -65,6 +65,11 @@ ImageGrains readLabelGrains(const std::string& path, const ImageSettings& settin
 {
     const GreyImage labels = readLabelImage(path);
     const int ground = settings.ground.value_or(0);
+    if (ground < 0 || ground > labels.largest())
+    {
+        throw SetupError(path, "ground", std::to_string(ground),
+                         "a value of 0 to " + std::to_string(labels.largest()));
+    }
     const std::string expected =
         "a value for each grain and " + std::to_string(ground) + " for the ground (or -ground)";
     ImageGrains result;

@@ -36,8 +36,6 @@ void check(const std::string& path, const ImageSettings& settings)
     refuseIf(notGrey && settings.split, path, "split", kind, needs);
     refuseIf(settings.ground && !settings.labels, path, "ground", "it without labels",
              "it beside labels only");
-    refuseIf(settings.ground && (*settings.ground < 0 || *settings.ground > 65535), path, "ground",
-             std::to_string(settings.ground.value_or(0)), "a grey value of 0 to 65535");
 }
 
 } // namespace

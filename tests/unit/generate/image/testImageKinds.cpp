@@ -145,8 +145,11 @@ TEST_F(ImageKinds, theLabelOfTheGroundMayBeAnother)
     EXPECT_EQ(read(picture, settings).grains.size(), 1u); // the ground's frame is at the border
     settings.ground = 255;
     EXPECT_EQ(read(picture, settings).grains.size(), 2u);
-    settings.ground = 65536;
-    EXPECT_EQ(refusal(picture, settings).entry(), "ground");
+    for (const int ground : {-1, 256})
+    {
+        settings.ground = ground;
+        EXPECT_EQ(refusal(picture, settings).entry(), "ground");
+    }
     settings.labels = false;
     settings.ground = 255;
     EXPECT_EQ(refusal(picture, settings).entry(), "ground");
