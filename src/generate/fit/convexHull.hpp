@@ -32,4 +32,7 @@ double polygonArea(const std::vector<Vector2>& vertices);
 /// Centroid of a polygon of positive area.
 Vector2 polygonCentroid(const std::vector<Vector2>& vertices);
 
+/// Integral of x x^T over a polygon of positive area, x from its centroid, by its area.
+Eigen::Matrix2d polygonCovariance(const std::vector<Vector2>& vertices);
+
 } // namespace chesil

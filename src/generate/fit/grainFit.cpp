@@ -47,6 +47,12 @@ void check(const std::string& imagePath, const FitSettings& settings)
     }
 }
 
+JointPlan planOf(const std::vector<Vector2>& hull, const FitSettings& settings)
+{
+    return settings.joints == JointSpacing::equal ? JointPlan::equal(settings.segments)
+                                                  : JointPlan::adapted(hull, settings.segments, 1);
+}
+
 } // namespace
 
 GrainFit fitGrain(const Silhouette& silhouette, const FitSettings& settings)
@@ -57,7 +63,7 @@ GrainFit fitGrain(const Silhouette& silhouette, const FitSettings& settings)
     // About its own centre, since rounding grows with the distance from the origin.
     const Vector2 centre = polygonCentroid(hull);
     moveBy(hull, -centre);
-    const std::vector<CubicBezier> fitted = fitSmoothOutline(hull, settings.segments);
+    const std::vector<CubicBezier> fitted = fitSmoothOutline(hull, planOf(hull, settings));
     GrainFit fit{PolyBezier(magnified(fitted, settings.scale))};
     fit.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 

@@ -24,12 +24,20 @@ struct GrainFit
     double milliseconds = 0;
 };
 
+/// Where the joints of the direct solver stand: see JointPlan.
+enum class JointSpacing
+{
+    equal,
+    adapted
+};
+
 struct FitSettings
 {
     /// Of each grain; see fewestSegments and mostSegments.
     int segments = 10;
     /// Size of a pixel, in the unit that the grains shall have.
     double scale = 1;
+    JointSpacing joints = JointSpacing::adapted;
 };
 
 /// convexOutline of the silhouette, then fitSmoothOutline. Throws ValueError as the latter and PolyBezier do.

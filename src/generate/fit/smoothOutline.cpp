@@ -33,9 +33,11 @@ struct UnitPolygon
         }
         for (const Vector2& vertex : polygon)
         {
-            vertices.push_back((vertex - centre) / radius);
+            vertices.push_back(inUnits(vertex));
         }
     }
+
+    Vector2 inUnits(const Vector2& point) const { return (point - centre) / radius; }
 
     const Vector2& support(const Vector2& direction) const
     {
@@ -49,30 +51,51 @@ struct UnitPolygon
     std::vector<Vector2> vertices;
 };
 
-std::vector<double> equalAngles(int count)
+/// The ellipse with the second moments of a polygon: a smooth body as slender.
+class InertiaEllipse
 {
-    std::vector<double> angles;
-    for (int i = 0; i < count; ++i)
-    {
-        angles.push_back(2 * M_PI * i / count);
-    }
-    return angles;
-}
+public:
+    /// Of an ellipse, the covariance is a quarter of the squared half-axes.
+    explicit InertiaEllipse(const std::vector<Vector2>& polygon) : squares_(4 * polygonCovariance(polygon)) {}
 
-/// The smallest share of the unit circle that has to be mixed into the outline `sharp` for each tangent
-/// line to hold its points with room to spare. Where a corner of the polygon is the support point of
-/// several directions, the lines' pieces between their crossings vanish; those of the circle are long.
-double circleShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const Eigen::VectorXd& circle)
+    /// Its support point.
+    Vector2 point(const Vector2& normal) const
+    {
+        const Vector2 image = squares_ * normal;
+        return image / std::sqrt(normal.dot(image));
+    }
+
+private:
+    Eigen::Matrix2d squares_;
+};
+
+/// The smallest share of the ellipse that has to be mixed into the outline `sharp` for each tangent line to hold its
+/// points with room to spare. Where a corner of the polygon is the support point of several directions, the
+/// lines' pieces between their crossings vanish; those of the ellipse are long.
+double ellipseShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const Eigen::VectorXd& ellipse)
 {
-    // Of a piece, start() gives an eighth at least to each gap.
+    // Of a piece, withHandles() gives an eighth at least to each gap.
     constexpr double wanted = 12 * leastHandle;
     double share = 0;
+    const auto need = [&](double length, double wantedLength, double ofEllipse)
+    {
+        if (length < wantedLength && ofEllipse > length)
+        {
+            share = std::max(share, std::min(0.9, (wantedLength - length) / (ofEllipse - length)));
+        }
+    };
     for (int i = 0; i < frame.joints(); ++i)
     {
-        const double length = frame.edgeLength(sharp, i);
-        if (length < wanted)
+        const auto length = frame.edgeLengths(sharp, i);
+        const auto ofEllipse = frame.edgeLengths(ellipse, i);
+        if (frame.isCorner(i))
         {
-            share = std::max(share, (wanted - length) / (frame.edgeLength(circle, i) - length));
+            need(length[0], wanted / 2, ofEllipse[0]);
+            need(length[1], wanted / 2, ofEllipse[1]);
+        }
+        else
+        {
+            need(length[0] + length[1], wanted, ofEllipse[0] + ofEllipse[1]);
         }
     }
     return share;
@@ -80,21 +103,32 @@ double circleShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const 
 
 /// Joints at the polygon's support points, as far as corners allow.
 Eigen::VectorXd startAtSupportPoints(const JointFrame& frame, const std::vector<Vector2>& supports,
-                                     const std::vector<double>& supportValues)
+                                     const InertiaEllipse& ellipse)
 {
-    const std::vector<double> ones(supportValues.size(), 1.0);
-    const double share = circleShare(frame, frame.tangentLines(supportValues), frame.tangentLines(ones));
-    std::vector<double> offsets;
-    for (const double value : supportValues)
+    std::vector<Vector2> ofEllipse;
+    for (int i = 0; i < frame.joints(); ++i)
     {
-        offsets.push_back((1 - share) * value + share);
+        ofEllipse.push_back(ellipse.point(frame.normal(i)));
     }
-    return frame.start(offsets, supports);
+    const Eigen::VectorXd sharp = frame.atPoints(supports);
+    const Eigen::VectorXd round = frame.atPoints(ofEllipse);
+    const double share = ellipseShare(frame, sharp, round);
+    return frame.withHandles((1 - share) * sharp + share * round);
 }
 
-Eigen::ArrayXd leastGaps(int joints)
+/// A gap that is not used stays zero.
+Eigen::ArrayXd leastGaps(const JointFrame& frame)
 {
-    return Eigen::Array4d(leastMargin, leastHandle, leastHandle, leastMargin).replicate(joints, 1);
+    const std::array<double, 4> least{leastMargin, leastHandle, leastHandle, leastMargin};
+    Eigen::ArrayXd gaps(JointFrame::perJoint * frame.joints());
+    for (int i = 0; i < frame.joints(); ++i)
+    {
+        for (int part = 0; part < JointFrame::perJoint; ++part)
+        {
+            gaps[JointFrame::perJoint * i + part] = frame.hasGap(i, part) ? least[static_cast<std::size_t>(part)] : -1;
+        }
+    }
+    return gaps;
 }
 
 /// Newton steps down the barrier until it no longer shows.
@@ -141,19 +175,25 @@ void check(const std::vector<Vector2>& polygon, int segments)
 std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, int segments)
 {
     check(polygon, segments);
+    return fitSmoothOutline(polygon, JointPlan::adapted(polygon, segments, 0));
+}
+
+std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, const JointPlan& plan)
+{
     const UnitPolygon unit(polygon);
-    const JointFrame frame(equalAngles(segments));
+    const JointFrame frame(plan.joints());
     std::vector<Vector2> supports;
     std::vector<double> supportValues;
     for (int i = 0; i < frame.joints(); ++i)
     {
-        supports.push_back(unit.support(frame.normal(i)));
+        const PlannedJoint& joint = plan.joints()[static_cast<std::size_t>(i)];
+        supports.push_back(joint.isCorner() ? unit.inUnits(joint.corner) : unit.support(frame.normal(i)));
         supportValues.push_back(supports.back().dot(frame.normal(i)));
     }
 
-    Eigen::VectorXd z = startAtSupportPoints(frame, supports, supportValues);
+    Eigen::VectorXd z = startAtSupportPoints(frame, supports, InertiaEllipse(unit.vertices));
     const EdgeLines lines(unit.vertices);
-    solve(OutlineProblem(frame, lines, supportValues, leastGaps(segments)), z);
+    solve(OutlineProblem(frame, lines, supportValues, leastGaps(frame)), z);
 
     std::vector<CubicBezier> outline;
     for (int i = 0; i < frame.joints(); ++i)

@@ -2,14 +2,12 @@
 
 #include "core/base/vector.hpp"
 #include "core/geometry/cubicBezier.hpp"
+#include "generate/fit/jointPlan.hpp"
 
 #include <vector>
 
 namespace chesil
 {
-
-constexpr int fewestSegments = 3;
-constexpr int mostSegments = 64;
 
 /// Fits a smooth (G1) convex outline of cubic segments to a convex polygon, with the joints at the support
 /// points of equally spaced directions (Lai & Huang, section 4, steps 2-4).
@@ -24,5 +22,8 @@ constexpr int mostSegments = 64;
 /// `polygon`: counter-clockwise, convex, any units. The segments are in the same frame. Throws ValueError if
 /// the number of segments is not within [fewestSegments, mostSegments] or the polygon has no area.
 std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, int segments);
+
+/// The same with these joints.
+std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, const JointPlan& plan);
 
 } // namespace chesil
