@@ -47,10 +47,11 @@ void check(const std::string& imagePath, const FitSettings& settings)
     }
 }
 
-JointPlan planOf(const std::vector<Vector2>& hull, const FitSettings& settings)
+std::vector<CubicBezier> fittedOutline(const std::vector<Vector2>& hull, const FitSettings& settings)
 {
-    return settings.joints == JointSpacing::equal ? JointPlan::equal(settings.segments)
-                                                  : JointPlan::adapted(hull, settings.segments, 1);
+    return settings.joints == JointSpacing::equal
+               ? fitAtJoints(hull, JointPlan::equal(settings.segments)).value().segments
+               : fitWithCorners(hull, settings.segments, 1).segments;
 }
 
 } // namespace
@@ -63,7 +64,7 @@ GrainFit fitGrain(const Silhouette& silhouette, const FitSettings& settings)
     // About its own centre, since rounding grows with the distance from the origin.
     const Vector2 centre = polygonCentroid(hull);
     moveBy(hull, -centre);
-    const std::vector<CubicBezier> fitted = fitSmoothOutline(hull, planOf(hull, settings));
+    const std::vector<CubicBezier> fitted = fittedOutline(hull, settings);
     GrainFit fit{PolyBezier(magnified(fitted, settings.scale))};
     fit.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 

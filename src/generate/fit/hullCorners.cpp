@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace chesil
 {
@@ -10,7 +11,9 @@ namespace
 {
 
 constexpr double leastTurn = 40 * M_PI / 180;
+constexpr double mostTurn = 140 * M_PI / 180;
 constexpr double cornerPixels = 3;
+constexpr double cornerShare = 0.01;
 constexpr double besidePixels = 9;
 constexpr double shareOfTurn = 0.75;
 
@@ -31,6 +34,7 @@ struct Turns
     std::size_t size() const { return turns.size(); }
     double length(std::size_t i) const { return lengths[i % size()]; }
     double turn(std::size_t i) const { return turns[i % size()]; }
+    double perimeter() const { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
 
     /// Of the vertices further on than `last` that are not further away than `reach`.
     double turnAfter(std::size_t last, double reach) const
@@ -78,12 +82,12 @@ Vector2 cornerPosition(const std::vector<Vector2>& polygon, std::size_t first, s
     return start + cross(end - start, after) / sine * before;
 }
 
-/// The vertices from `first` on that turn within the length of a corner.
-HullCorner cornerFrom(std::size_t first, const Turns& turns, double pixel)
+/// The vertices from `first` on that turn within this length.
+HullCorner cornerFrom(std::size_t first, const Turns& turns, double length)
 {
     HullCorner corner{Vector2::Zero(), first, first, turns.turn(first)};
     double way = turns.length(first);
-    while (way <= cornerPixels * pixel && corner.last + 1 < first + turns.size())
+    while (way <= length && corner.last + 1 < first + turns.size())
     {
         ++corner.last;
         corner.turn += turns.turn(corner.last);
@@ -96,7 +100,7 @@ bool isSharp(const HullCorner& corner, const Turns& turns, double pixel)
 {
     const double beside = turns.turnBefore(corner.first, besidePixels * pixel)
                           + turns.turnAfter(corner.last, besidePixels * pixel);
-    return corner.turn >= leastTurn && corner.turn >= shareOfTurn * (corner.turn + beside);
+    return corner.turn >= leastTurn && corner.turn <= mostTurn && corner.turn >= shareOfTurn * (corner.turn + beside);
 }
 
 bool overlap(const HullCorner& a, const HullCorner& b, std::size_t count)
@@ -112,9 +116,10 @@ std::vector<HullCorner> hullCorners(const std::vector<Vector2>& polygon, double 
 {
     std::vector<HullCorner> candidates;
     const Turns turns(polygon);
+    const double length = std::min(cornerPixels * pixel, cornerShare * turns.perimeter());
     for (std::size_t first = 0; first < polygon.size() && pixel > 0; ++first)
     {
-        const HullCorner corner = cornerFrom(first, turns, pixel);
+        const HullCorner corner = cornerFrom(first, turns, length);
         if (isSharp(corner, turns, pixel))
         {
             candidates.push_back(corner);

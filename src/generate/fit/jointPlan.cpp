@@ -14,6 +14,9 @@ namespace
 /// grain's size.
 constexpr double mostTurn = 2.4;
 
+/// What a corner's extrapolated normals leave between them and the next joint's at least.
+constexpr double leastTurn = 2e-3;
+
 int leastCount(const HullMeasure::Piece& piece)
 {
     return piece.straight ? 1 : std::max(1, static_cast<int>(std::ceil(piece.turn() / mostTurn)));
@@ -96,6 +99,17 @@ JointPlan JointPlan::adapted(const std::vector<Vector2>& polygon, int segments, 
 
 std::size_t JointPlan::corners() const { return corners_.size(); }
 
+void JointPlan::even(double share)
+{
+    const double start = joints_.front().after;
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+    {
+        const double equal = start + 2 * M_PI * static_cast<double>(i) / static_cast<double>(joints_.size());
+        joints_[i].before += share * (equal - joints_[i].before);
+        joints_[i].after = joints_[i].before;
+    }
+}
+
 void JointPlan::split(std::size_t segment)
 {
     const Place& start = places_[segment];
@@ -148,6 +162,11 @@ void JointPlan::findNormals()
             angles.front() = piece.startAngle;
         }
         angles.push_back(closed ? angles.front() + 2 * M_PI : piece.endAngle);
+        if (!closed && angles.size() > 2)
+        {
+            angles.front() = std::min(angles.front(), angles[1] - leastTurn);
+            angles.back() = std::max(angles.back(), angles[angles.size() - 2] + leastTurn);
+        }
         const double count = static_cast<double>(angles.size() - 1);
         double share = 0;
         for (std::size_t j = 0; j + 1 < angles.size(); ++j)

@@ -40,6 +40,9 @@ public:
     const std::vector<PlannedJoint>& joints() const { return joints_; }
     std::size_t corners() const;
 
+    /// Mixes the normals with this share of equally spaced ones. Of a plan without corners only.
+    void even(double share);
+
     /// Puts a joint into the middle of a segment that is not straight. Of adapted joints only.
     void split(std::size_t segment);
 

@@ -1,5 +1,6 @@
 #include "generate/fit/outlineProblem.hpp"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -52,20 +53,31 @@ double OutlineProblem::value(const Eigen::VectorXd& z, const std::vector<double>
     {
         return std::numeric_limits<double>::infinity();
     }
-    double sum = 0;
-    std::size_t sample = 0;
+    double sum = meanSquare(z, weights);
     for (int i = 0; i < frame_.joints(); ++i)
     {
         const double error = supportError(z, i);
         sum += supportShare() * error * error;
+    }
+    return sum / 2 - barrier * gaps.log().sum();
+}
+
+double OutlineProblem::distance(const Eigen::VectorXd& z) const { return std::sqrt(meanSquare(z, sampleWeights(z))); }
+
+double OutlineProblem::meanSquare(const Eigen::VectorXd& z, const std::vector<double>& weights) const
+{
+    double sum = 0;
+    std::size_t sample = 0;
+    for (int i = 0; i < frame_.joints(); ++i)
+    {
         const CubicBezier segment = frame_.segment(z, i);
         for (int k = 0; k < samples; ++k, ++sample)
         {
-            const double distance = lines_.distance(segment.at(parameter(k))).value;
-            sum += weights[sample] * distance * distance;
+            const double away = lines_.distance(segment.at(parameter(k))).value;
+            sum += weights[sample] * away * away;
         }
     }
-    return sum / 2 - barrier * gaps.log().sum();
+    return sum;
 }
 
 Eigen::VectorXd OutlineProblem::step(const Eigen::VectorXd& z, const std::vector<double>& weights,

@@ -16,7 +16,7 @@ namespace
 
 /// Least length of a handle, in units of the polygon's furthest vertex from its centroid: the rounding of
 /// coordinates of that size, 1e-16, then turns a tangent by 1e-13.
-constexpr double leastHandle = 2e-3;
+constexpr double leastHandle = 1e-3;
 
 /// Least gap between a handle's end and the crossing of the tangent lines, in the same unit: two such gaps
 /// hold the shortest control edge Q1 Q2, whose direction may err by tolerances::convexity.
@@ -81,7 +81,7 @@ double ellipseShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const
     {
         if (length < wantedLength && ofEllipse > length)
         {
-            share = std::max(share, std::min(0.9, (wantedLength - length) / (ofEllipse - length)));
+            share = std::max(share, std::min(1.0, (wantedLength - length) / (ofEllipse - length)));
         }
     };
     for (int i = 0; i < frame.joints(); ++i)
@@ -101,19 +101,29 @@ double ellipseShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const
     return share;
 }
 
-/// Joints at the polygon's support points, as far as corners allow.
-Eigen::VectorXd startAtSupportPoints(const JointFrame& frame, const std::vector<Vector2>& supports,
-                                     const InertiaEllipse& ellipse)
+/// Joints at the polygon's support points, as far as corners allow; around them where even the ellipse has too
+/// sharp a bend for so many of them.
+Eigen::VectorXd startAtSupportPoints(const JointFrame& frame, const OutlineProblem& problem,
+                                     const std::vector<Vector2>& supports, const InertiaEllipse& ellipse)
 {
-    std::vector<Vector2> ofEllipse;
-    for (int i = 0; i < frame.joints(); ++i)
-    {
-        ofEllipse.push_back(ellipse.point(frame.normal(i)));
-    }
     const Eigen::VectorXd sharp = frame.atPoints(supports);
-    const Eigen::VectorXd round = frame.atPoints(ofEllipse);
-    const double share = ellipseShare(frame, sharp, round);
-    return frame.withHandles((1 - share) * sharp + share * round);
+    Eigen::VectorXd start;
+    for (const double rim : {0.0, 0.02, 0.1, 0.5})
+    {
+        std::vector<Vector2> ofEllipse;
+        for (int i = 0; i < frame.joints(); ++i)
+        {
+            ofEllipse.push_back(ellipse.point(frame.normal(i)) + rim * frame.normal(i));
+        }
+        const Eigen::VectorXd round = frame.atPoints(ofEllipse);
+        const double share = ellipseShare(frame, sharp, round);
+        start = frame.withHandles((1 - share) * sharp + share * round);
+        if (problem.allows(start))
+        {
+            break;
+        }
+    }
+    return start;
 }
 
 /// A gap that is not used stays zero.
@@ -175,10 +185,10 @@ void check(const std::vector<Vector2>& polygon, int segments)
 std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, int segments)
 {
     check(polygon, segments);
-    return fitSmoothOutline(polygon, JointPlan::adapted(polygon, segments, 0));
+    return fitWithoutCorners(polygon, JointPlan::adapted(polygon, segments, 0)).segments;
 }
 
-std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, const JointPlan& plan)
+std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const JointPlan& plan)
 {
     const UnitPolygon unit(polygon);
     const JointFrame frame(plan.joints());
@@ -191,16 +201,49 @@ std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, c
         supportValues.push_back(supports.back().dot(frame.normal(i)));
     }
 
-    Eigen::VectorXd z = startAtSupportPoints(frame, supports, InertiaEllipse(unit.vertices));
     const EdgeLines lines(unit.vertices);
-    solve(OutlineProblem(frame, lines, supportValues, leastGaps(frame)), z);
+    const OutlineProblem problem(frame, lines, supportValues, leastGaps(frame));
+    Eigen::VectorXd z = startAtSupportPoints(frame, problem, supports, InertiaEllipse(unit.vertices));
+    if (!problem.allows(z))
+    {
+        return std::nullopt;
+    }
+    solve(problem, z);
 
-    std::vector<CubicBezier> outline;
+    OutlineFit fit;
     for (int i = 0; i < frame.joints(); ++i)
     {
-        outline.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
+        fit.segments.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
     }
-    return outline;
+    fit.distance = unit.radius * problem.distance(z);
+    return fit;
+}
+
+OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan)
+{
+    for (const double share : {0.0, 0.05, 0.15, 0.4})
+    {
+        plan.even(share);
+        if (const std::optional<OutlineFit> fit = fitAtJoints(polygon, plan))
+        {
+            return *fit;
+        }
+    }
+    plan.even(1);
+    return fitAtJoints(polygon, plan).value();
+}
+
+OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, double pixel)
+{
+    check(polygon, segments);
+    const JointPlan plan = JointPlan::adapted(polygon, segments, pixel);
+    const std::optional<OutlineFit> cornered = fitAtJoints(polygon, plan);
+    if (cornered && plan.corners() == 0)
+    {
+        return *cornered;
+    }
+    const OutlineFit smooth = fitWithoutCorners(polygon, JointPlan::adapted(polygon, segments, 0));
+    return cornered && cornered->distance <= smooth.distance ? *cornered : smooth;
 }
 
 } // namespace chesil

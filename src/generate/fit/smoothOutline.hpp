@@ -4,6 +4,7 @@
 #include "core/geometry/cubicBezier.hpp"
 #include "generate/fit/jointPlan.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace chesil
@@ -23,7 +24,22 @@ namespace chesil
 /// the number of segments is not within [fewestSegments, mostSegments] or the polygon has no area.
 std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, int segments);
 
-/// The same with these joints.
-std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, const JointPlan& plan);
+/// A fitted outline and the root of the mean squared distance from the polygon, in its unit.
+struct OutlineFit
+{
+    std::vector<CubicBezier> segments;
+    double distance = 0;
+};
+
+/// The same with these joints. None if they leave no room for a convex outline: too many of them at a sharp tip or
+/// along a straight side, or corners with normals that contradict each other.
+std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const JointPlan& plan);
+
+/// An outline without corners at adapted joints, evened until there is room for it.
+OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan);
+
+/// The better fit of an outline with the polygon's corners (see hullCorners) and a smooth one, by
+/// distance. Throws as fitSmoothOutline does.
+OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, double pixel);
 
 } // namespace chesil
