@@ -47,8 +47,21 @@ void check(const std::string& imagePath, const FitSettings& settings)
     }
 }
 
-std::vector<CubicBezier> fittedOutline(const std::vector<Vector2>& hull, const FitSettings& settings)
+/// About `centre`, as `hull` is.
+std::vector<CubicBezier> fittedOutline(const Silhouette& silhouette, const std::vector<Vector2>& hull,
+                                       const Vector2& centre, const FitSettings& settings)
 {
+    if (settings.method == FitMethod::swarm)
+    {
+        std::vector<Vector2> inFrame = hull;
+        moveBy(inFrame, centre);
+        std::vector<CubicBezier> outline = fitBySwarm(silhouette, inFrame, settings.segments, settings.swarm);
+        for (CubicBezier& segment : outline)
+        {
+            segment = segment.transformed(-centre, 1, 0, 1);
+        }
+        return outline;
+    }
     return settings.joints == JointSpacing::equal
                ? fitAtJoints(hull, JointPlan::equal(settings.segments)).value().segments
                : fitWithCorners(hull, settings.segments, 1).segments;
@@ -64,7 +77,7 @@ GrainFit fitGrain(const Silhouette& silhouette, const FitSettings& settings)
     // About its own centre, since rounding grows with the distance from the origin.
     const Vector2 centre = polygonCentroid(hull);
     moveBy(hull, -centre);
-    const std::vector<CubicBezier> fitted = fittedOutline(hull, settings);
+    const std::vector<CubicBezier> fitted = fittedOutline(silhouette, hull, centre, settings);
     GrainFit fit{PolyBezier(magnified(fitted, settings.scale))};
     fit.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/shapes/polyBezier.hpp"
+#include "generate/fit/swarmFit.hpp"
 #include "generate/image/silhouetteReader.hpp"
 
 #include <string>
@@ -31,13 +32,24 @@ enum class JointSpacing
     adapted
 };
 
+enum class FitMethod
+{
+    /// fitWithCorners: all offsets, joints and handles at once, by Gauss-Newton.
+    direct,
+    /// fitBySwarm: Lai & Huang's particle swarm.
+    swarm
+};
+
 struct FitSettings
 {
     /// Of each grain; see fewestSegments and mostSegments.
     int segments = 10;
     /// Size of a pixel, in the unit that the grains shall have.
     double scale = 1;
+    FitMethod method = FitMethod::direct;
+    /// Of the direct method; the swarm's joints are equally spaced.
     JointSpacing joints = JointSpacing::adapted;
+    SwarmSettings swarm;
 };
 
 /// convexOutline of the silhouette, then fitSmoothOutline. Throws ValueError as the latter and PolyBezier do.

@@ -10,12 +10,12 @@ namespace chesil
 namespace
 {
 
-constexpr double leastTurn = 40 * M_PI / 180;
+constexpr double leastTurn = 45 * M_PI / 180;
 constexpr double mostTurn = 140 * M_PI / 180;
 constexpr double cornerPixels = 3;
-constexpr double cornerShare = 0.01;
+constexpr double leastPerimeter = 200;
 constexpr double besidePixels = 9;
-constexpr double shareOfTurn = 0.75;
+constexpr double shareOfTurn = 0.85;
 
 /// A polygon's lengths and turns.
 struct Turns
@@ -116,10 +116,10 @@ std::vector<HullCorner> hullCorners(const std::vector<Vector2>& polygon, double 
 {
     std::vector<HullCorner> candidates;
     const Turns turns(polygon);
-    const double length = std::min(cornerPixels * pixel, cornerShare * turns.perimeter());
-    for (std::size_t first = 0; first < polygon.size() && pixel > 0; ++first)
+    const bool resolved = pixel > 0 && turns.perimeter() >= leastPerimeter * pixel;
+    for (std::size_t first = 0; first < polygon.size() && resolved; ++first)
     {
-        const HullCorner corner = cornerFrom(first, turns, length);
+        const HullCorner corner = cornerFrom(first, turns, cornerPixels * pixel);
         if (isSharp(corner, turns, pixel))
         {
             candidates.push_back(corner);

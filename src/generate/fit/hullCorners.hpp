@@ -19,10 +19,10 @@ struct HullCorner
     double turn;
 };
 
-/// The corners of a convex polygon, given counter-clockwise, in its order: where it turns by 40 to 140 degrees within 3
-/// pixels and a hundredth of its length, and those are three quarters or more of its turn within 9 pixels on both sides.
-/// What is sharper is a tip, which is no wider than a pixel. The other conditions tell a corner from the bend of
-/// a small grain: a disk of radius 8 pixels turns by 129 degrees in 18 pixels.
+/// The corners of a convex polygon, given counter-clockwise, in its order: where it turns by 45 to 140 degrees within 3
+/// pixels, and those are 85 % or more of its turn within 9 pixels on both sides. What is sharper is a tip,
+/// which is no wider than a pixel. Only of polygons 200 pixels long (60 across) or longer: of smaller grains, pixels cannot
+/// tell a corner from a bend that counts.
 /// `pixel`: in units of the polygon; 0 finds none.
 std::vector<HullCorner> hullCorners(const std::vector<Vector2>& polygon, double pixel);
 

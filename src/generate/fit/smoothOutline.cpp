@@ -167,6 +167,9 @@ void solve(const OutlineProblem& problem, Eigen::VectorXd& z)
     }
 }
 
+/// Distances that pixels do not tell from 0, in pixels: a corner within them stays.
+constexpr double unseen = 0.1;
+
 void check(const std::vector<Vector2>& polygon, int segments)
 {
     if (segments < fewestSegments || segments > mostSegments)
@@ -243,7 +246,7 @@ OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, dou
         return *cornered;
     }
     const OutlineFit smooth = fitWithoutCorners(polygon, JointPlan::adapted(polygon, segments, 0));
-    return cornered && cornered->distance <= smooth.distance ? *cornered : smooth;
+    return cornered && cornered->distance <= std::max(smooth.distance, unseen * pixel) ? *cornered : smooth;
 }
 
 } // namespace chesil

@@ -38,8 +38,8 @@ std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const
 /// An outline without corners at adapted joints, evened until there is room for it.
 OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan);
 
-/// The better fit of an outline with the polygon's corners (see hullCorners) and a smooth one, by
-/// distance. Throws as fitSmoothOutline does.
+/// An outline with the polygon's corners (see hullCorners), unless it is further from the polygon than 0.1 pixels and
+/// than a smooth one, which then is taken. Throws as fitSmoothOutline does.
 OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, double pixel);
 
 } // namespace chesil
