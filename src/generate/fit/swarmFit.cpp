@@ -18,6 +18,13 @@ namespace
 /// Least length of x1 and x2 in units of the hull's size, see leastHandle in smoothOutline.cpp.
 constexpr double leastLength = 1e-3;
 
+/// In units of that: a joint this near to its neighbour's tangent line lies on it, and the segment is straight.
+constexpr double nothing = 1e-6;
+
+/// Share of the way to the crossing that x1 and x2 leave: with both points on it, the direction of Q1 Q2 would be
+/// rounding alone.
+constexpr double crossingMargin = 1e-3;
+
 /// Chords that stand for a segment when its pixels are counted.
 constexpr int chords = 24;
 
@@ -223,7 +230,13 @@ std::vector<CubicBezier> fitBySwarm(const Silhouette& silhouette, const std::vec
         const Joint& end = joints[(i + 1) % joints.size()];
         SegmentCost cost(pixels, start.point, start.tangentAfter, end.point, end.tangentBefore);
         const Eigen::ArrayXd longest = cost.longest();
-        outline.push_back(cost.segment(minimiseBySwarm(std::ref(cost), longest.min(least), longest, settings)));
+        if (longest.minCoeff() < nothing * least)
+        {
+            outline.push_back(CubicBezier::straight(start.point, end.point));
+            continue;
+        }
+        const Eigen::ArrayXd upper = (1 - crossingMargin) * longest;
+        outline.push_back(cost.segment(minimiseBySwarm(std::ref(cost), upper.min(least), upper, settings)));
     }
     return outline;
 }

@@ -16,7 +16,8 @@ namespace chesil
 ///
 /// What the paper leaves open: a direction square to a side of the hull has its support point in the middle of the side;
 /// directions with one and the same support point make it a corner, a joint with a range of normals,
-/// and no segment between them. The outline has then fewer segments.
+/// and no segment between them. The outline has then fewer segments. A joint on its neighbour's tangent line makes the
+/// segment straight.
 ///
 /// `hull`: in the silhouette's frame, as are the segments. Throws ValueError if the number of segments is not within
 /// [fewestSegments, mostSegments].
