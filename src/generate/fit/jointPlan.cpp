@@ -77,24 +77,54 @@ JointPlan JointPlan::equal(int segments)
     return plan;
 }
 
-JointPlan JointPlan::adapted(const std::vector<Vector2>& polygon, int segments, double pixel)
+JointPlan JointPlan::withCorners(const std::vector<Vector2>& polygon, int most, double pixel, int smoothFor)
 {
-    std::vector<HullCorner> corners = hullCorners(polygon, pixel);
+    JointPlan plan;
+    plan.corners_ = hullCorners(polygon, pixel);
     while (true)
     {
-        HullMeasure measure(polygon, corners, segments);
-        measure.findStraightPieces(polygon, corners, pixel);
-        if (corners.empty() || leastCount(measure) <= segments)
+        plan.measure_.emplace(polygon, plan.corners_, smoothFor);
+        plan.measure_->findStraightPieces(polygon, plan.corners_, pixel);
+        if (plan.corners_.empty() || leastCount(*plan.measure_) <= most)
         {
-            JointPlan plan;
-            plan.measure_ = std::move(measure);
-            plan.corners_ = std::move(corners);
-            plan.distribute(shares(plan.measure_->pieces(), segments));
             return plan;
         }
-        corners.erase(std::min_element(corners.begin(), corners.end(), [](const HullCorner& a, const HullCorner& b)
-                                       { return a.turn < b.turn; }));
+        plan.corners_.erase(std::min_element(plan.corners_.begin(), plan.corners_.end(),
+                                             [](const HullCorner& a, const HullCorner& b) { return a.turn < b.turn; }));
     }
+}
+
+JointPlan JointPlan::adapted(const std::vector<Vector2>& polygon, int segments, double pixel)
+{
+    JointPlan plan = withCorners(polygon, segments, pixel, segments);
+    plan.distribute(segments);
+    return plan;
+}
+
+JointPlan JointPlan::coarsest(const std::vector<Vector2>& polygon, int most, double pixel)
+{
+    // Of the number that most grains need
+    constexpr int smoothFor = 8;
+    JointPlan plan = withCorners(polygon, most, pixel, smoothFor);
+    plan.distribute(fewestSegments);
+    return plan;
+}
+
+JointPlan JointPlan::polygon(const std::vector<Vector2>& polygon, int sides)
+{
+    // Any range of normals: straight sides do not use it
+    constexpr double range = 0.1;
+    JointPlan plan = adapted(polygon, sides, 0);
+    for (PlannedJoint& joint : plan.joints_)
+    {
+        const Vector2 normal(std::cos(joint.after), std::sin(joint.after));
+        joint.corner = *std::max_element(polygon.begin(), polygon.end(), [&](const Vector2& a, const Vector2& b)
+                                         { return normal.dot(a) < normal.dot(b); });
+        joint.before -= range;
+        joint.after += range;
+        joint.straightAfter = true;
+    }
+    return plan;
 }
 
 std::size_t JointPlan::corners() const { return corners_.size(); }
@@ -122,8 +152,9 @@ void JointPlan::split(std::size_t segment)
     findNormals();
 }
 
-void JointPlan::distribute(const std::vector<int>& counts)
+void JointPlan::distribute(int segments)
 {
+    const std::vector<int> counts = shares(measure_->pieces(), segments);
     for (std::size_t k = 0; k < counts.size(); ++k)
     {
         const double measure = measure_->pieces()[k].measure();

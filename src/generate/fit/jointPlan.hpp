@@ -37,6 +37,12 @@ public:
     /// sharpest count. A polygon all of whose sides are straight gets no more segments than sides.
     static JointPlan adapted(const std::vector<Vector2>& polygon, int segments, double pixel);
 
+    /// As few adapted joints as do, with all corners for which `most` segments suffice; to be split.
+    static JointPlan coarsest(const std::vector<Vector2>& polygon, int most, double pixel);
+
+    /// The corners of a polygon with so many sides, spread as adapted joints are.
+    static JointPlan polygon(const std::vector<Vector2>& polygon, int sides);
+
     const std::vector<PlannedJoint>& joints() const { return joints_; }
     std::size_t corners() const;
 
@@ -54,7 +60,8 @@ private:
         bool isCorner;
     };
 
-    void distribute(const std::vector<int>& counts);
+    static JointPlan withCorners(const std::vector<Vector2>& polygon, int most, double pixel, int smoothFor);
+    void distribute(int segments);
     void findNormals();
     double angleAt(std::size_t piece, double measure) const;
 

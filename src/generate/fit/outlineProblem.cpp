@@ -80,6 +80,22 @@ double OutlineProblem::meanSquare(const Eigen::VectorXd& z, const std::vector<do
     return sum;
 }
 
+std::vector<double> OutlineProblem::segmentErrors(const Eigen::VectorXd& z) const
+{
+    std::vector<double> errors;
+    for (int i = 0; i < frame_.joints(); ++i)
+    {
+        const CubicBezier segment = frame_.segment(z, i);
+        errors.push_back(0);
+        for (int k = 0; k < samples; ++k)
+        {
+            const double away = lines_.distance(segment.at(parameter(k))).value;
+            errors.back() += std::abs(away) * segment.derivative(parameter(k)).norm() / samples;
+        }
+    }
+    return errors;
+}
+
 Eigen::VectorXd OutlineProblem::step(const Eigen::VectorXd& z, const std::vector<double>& weights,
                                      double barrier) const
 {

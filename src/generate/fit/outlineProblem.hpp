@@ -32,6 +32,9 @@ public:
     /// Root of the mean squared distance of the outline from the polygon.
     double distance(const Eigen::VectorXd& z) const;
 
+    /// Integral of the distance's size along each segment.
+    std::vector<double> segmentErrors(const Eigen::VectorXd& z) const;
+
     /// Infinite if a gap is not above its least one.
     double value(const Eigen::VectorXd& z, const std::vector<double>& weights, double barrier) const;
 

@@ -167,10 +167,9 @@ void solve(const OutlineProblem& problem, Eigen::VectorXd& z)
     }
 }
 
-/// Distances that pixels do not tell from 0, in pixels: a corner within them stays.
-constexpr double unseen = 0.1;
+} // namespace
 
-void check(const std::vector<Vector2>& polygon, int segments)
+void requireFittable(const std::vector<Vector2>& polygon, int segments)
 {
     if (segments < fewestSegments || segments > mostSegments)
     {
@@ -183,11 +182,9 @@ void check(const std::vector<Vector2>& polygon, int segments)
     }
 }
 
-} // namespace
-
 std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, int segments)
 {
-    check(polygon, segments);
+    requireFittable(polygon, segments);
     return fitWithoutCorners(polygon, JointPlan::adapted(polygon, segments, 0)).segments;
 }
 
@@ -213,12 +210,13 @@ std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const
     }
     solve(problem, z);
 
-    OutlineFit fit;
+    std::optional<OutlineFit> fit(std::in_place);
     for (int i = 0; i < frame.joints(); ++i)
     {
-        fit.segments.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
+        fit->segments.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
     }
-    fit.distance = unit.radius * problem.distance(z);
+    fit->distance = unit.radius * problem.distance(z);
+    fit->areas = problem.segmentErrors(z);
     return fit;
 }
 
@@ -234,19 +232,6 @@ OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan
     }
     plan.even(1);
     return fitAtJoints(polygon, plan).value();
-}
-
-OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, double pixel)
-{
-    check(polygon, segments);
-    const JointPlan plan = JointPlan::adapted(polygon, segments, pixel);
-    const std::optional<OutlineFit> cornered = fitAtJoints(polygon, plan);
-    if (cornered && plan.corners() == 0)
-    {
-        return *cornered;
-    }
-    const OutlineFit smooth = fitWithoutCorners(polygon, JointPlan::adapted(polygon, segments, 0));
-    return cornered && cornered->distance <= std::max(smooth.distance, unseen * pixel) ? *cornered : smooth;
 }
 
 } // namespace chesil

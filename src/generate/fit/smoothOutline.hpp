@@ -29,6 +29,9 @@ struct OutlineFit
 {
     std::vector<CubicBezier> segments;
     double distance = 0;
+    /// Area between each segment and the polygon, about, in units of the polygon's furthest vertex from its centroid,
+    /// squared.
+    std::vector<double> areas;
 };
 
 /// The same with these joints. None if they leave no room for a convex outline: too many of them at a sharp tip or
@@ -38,8 +41,7 @@ std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const
 /// An outline without corners at adapted joints, evened until there is room for it.
 OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan);
 
-/// An outline with the polygon's corners (see hullCorners), unless it is further from the polygon than 0.1 pixels and
-/// than a smooth one, which then is taken. Throws as fitSmoothOutline does.
-OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, double pixel);
+/// Throws ValueError unless there are [fewestSegments, mostSegments] of them and the polygon has an area.
+void requireFittable(const std::vector<Vector2>& polygon, int segments);
 
 } // namespace chesil

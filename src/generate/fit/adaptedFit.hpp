@@ -1,0 +1,24 @@
+#pragma once
+
+#include "generate/fit/smoothOutline.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace chesil
+{
+
+/// An outline with the polygon's corners (see hullCorners), unless it is further from the polygon than 0.1 pixels and
+/// than a smooth one, which then is taken. Throws as fitSmoothOutline does.
+OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, double pixel);
+
+/// The fit with the fewest segments found that `isGoodEnough` accepts, or else the one of `most` segments: starts with
+/// JointPlan::coarsest and splits the segment with the largest area between it and the polygon. Throws as
+/// fitSmoothOutline does.
+OutlineFit fitToAccuracy(const std::vector<Vector2>& polygon, int most, double pixel,
+                         const std::function<bool(const std::vector<CubicBezier>&)>& isGoodEnough);
+
+/// The vertices of a convex polygon with so many sides (fewer where two fall together), fitted by the same solver.
+std::vector<Vector2> fitPolygon(const std::vector<Vector2>& polygon, int sides);
+
+} // namespace chesil
