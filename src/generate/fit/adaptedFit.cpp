@@ -1,7 +1,5 @@
 #include "generate/fit/adaptedFit.hpp"
 
-#include "generate/fit/convexHull.hpp"
-
 #include <algorithm>
 
 namespace chesil
@@ -61,17 +59,6 @@ OutlineFit fitToAccuracy(const std::vector<Vector2>& polygon, int most, double p
         }
         plan.split(worst);
     }
-}
-
-std::vector<Vector2> fitPolygon(const std::vector<Vector2>& polygon, int sides)
-{
-    requireFittable(polygon, sides);
-    std::vector<Vector2> vertices;
-    for (const CubicBezier& side : fitAtJoints(polygon, JointPlan::polygon(polygon, sides)).value().segments)
-    {
-        vertices.push_back(side.start());
-    }
-    return convexHull(vertices);
 }
 
 } // namespace chesil

@@ -18,7 +18,4 @@ OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, dou
 OutlineFit fitToAccuracy(const std::vector<Vector2>& polygon, int most, double pixel,
                          const std::function<bool(const std::vector<CubicBezier>&)>& isGoodEnough);
 
-/// The vertices of a convex polygon with so many sides (fewer where two fall together), fitted by the same solver.
-std::vector<Vector2> fitPolygon(const std::vector<Vector2>& polygon, int sides);
-
 } // namespace chesil

@@ -124,6 +124,15 @@ JointPlan JointPlan::polygon(const std::vector<Vector2>& polygon, int sides)
         joint.after += range;
         joint.straightAfter = true;
     }
+    // Of neighbours at one vertex, one
+    std::vector<PlannedJoint>& joints = plan.joints_;
+    joints.erase(std::unique(joints.begin(), joints.end(), [](const PlannedJoint& a, const PlannedJoint& b)
+                             { return a.corner == b.corner; }),
+                 joints.end());
+    if (joints.back().corner == joints.front().corner)
+    {
+        joints.pop_back();
+    }
     return plan;
 }
 

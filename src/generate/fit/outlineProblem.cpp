@@ -106,6 +106,9 @@ Eigen::VectorXd OutlineProblem::step(const Eigen::VectorXd& z, const std::vector
     Eigen::VectorXd gradient = -barrier * gapMatrix.transpose() * inverseGaps.matrix();
     addDistances(z, weights, hessian, gradient);
     addSupports(z, hessian, gradient);
+    // A corner on a straight side may stand anywhere on it, and a straight segment does not use its handles.
+    constexpr double damping = 1e-9;
+    hessian.diagonal().array() += damping;
     return hessian.ldlt().solve(-gradient);
 }
 

@@ -1,12 +1,14 @@
 #include "generate/fit/smoothOutline.hpp"
 
 #include "core/base/setupError.hpp"
+#include "core/base/tolerances.hpp"
 #include "generate/fit/convexHull.hpp"
 #include "generate/fit/outlineProblem.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace chesil
 {
@@ -167,6 +169,51 @@ void solve(const OutlineProblem& problem, Eigen::VectorXd& z)
     }
 }
 
+/// Where a corner's normals were given, a straight side beside it may have turned beyond them.
+bool cornersTurnOutward(const std::vector<CubicBezier>& segments)
+{
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+        const Vector2 before = segments[i].endTangent();
+        const Vector2 after = segments[(i + 1) % segments.size()].startTangent();
+        if (cross(before, after) < -tolerances::convexity * before.norm() * after.norm())
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::optional<OutlineFit> solved(const std::vector<Vector2>& polygon, const JointPlan& plan)
+{
+    const UnitPolygon unit(polygon);
+    const JointFrame frame(plan.joints());
+    std::vector<Vector2> supports;
+    std::vector<double> supportValues;
+    for (int i = 0; i < frame.joints(); ++i)
+    {
+        const PlannedJoint& joint = plan.joints()[static_cast<std::size_t>(i)];
+        supports.push_back(joint.isCorner() ? unit.inUnits(joint.corner) : unit.support(frame.normal(i)));
+        supportValues.push_back(supports.back().dot(frame.normal(i)));
+    }
+
+    const EdgeLines lines(unit.vertices);
+    const OutlineProblem problem(frame, lines, supportValues, leastGaps(frame));
+    Eigen::VectorXd z = startAtSupportPoints(frame, problem, supports, InertiaEllipse(unit.vertices));
+    if (!problem.allows(z))
+    {
+        return std::nullopt;
+    }
+    solve(problem, z);
+
+    std::vector<CubicBezier> segments;
+    for (int i = 0; i < frame.joints(); ++i)
+    {
+        segments.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
+    }
+    return OutlineFit{std::move(segments), unit.radius * problem.distance(z), problem.segmentErrors(z)};
+}
+
 } // namespace
 
 void requireFittable(const std::vector<Vector2>& polygon, int segments)
@@ -190,34 +237,8 @@ std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, i
 
 std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const JointPlan& plan)
 {
-    const UnitPolygon unit(polygon);
-    const JointFrame frame(plan.joints());
-    std::vector<Vector2> supports;
-    std::vector<double> supportValues;
-    for (int i = 0; i < frame.joints(); ++i)
-    {
-        const PlannedJoint& joint = plan.joints()[static_cast<std::size_t>(i)];
-        supports.push_back(joint.isCorner() ? unit.inUnits(joint.corner) : unit.support(frame.normal(i)));
-        supportValues.push_back(supports.back().dot(frame.normal(i)));
-    }
-
-    const EdgeLines lines(unit.vertices);
-    const OutlineProblem problem(frame, lines, supportValues, leastGaps(frame));
-    Eigen::VectorXd z = startAtSupportPoints(frame, problem, supports, InertiaEllipse(unit.vertices));
-    if (!problem.allows(z))
-    {
-        return std::nullopt;
-    }
-    solve(problem, z);
-
-    std::optional<OutlineFit> fit(std::in_place);
-    for (int i = 0; i < frame.joints(); ++i)
-    {
-        fit->segments.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
-    }
-    fit->distance = unit.radius * problem.distance(z);
-    fit->areas = problem.segmentErrors(z);
-    return fit;
+    std::optional<OutlineFit> fit = solved(polygon, plan);
+    return fit && cornersTurnOutward(fit->segments) ? fit : std::nullopt;
 }
 
 OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan)
@@ -232,6 +253,18 @@ OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan
     }
     plan.even(1);
     return fitAtJoints(polygon, plan).value();
+}
+
+std::vector<Vector2> fitPolygon(const std::vector<Vector2>& polygon, int sides)
+{
+    requireFittable(polygon, sides);
+    const OutlineFit fit = solved(polygon, JointPlan::polygon(polygon, sides)).value();
+    std::vector<Vector2> vertices;
+    for (const CubicBezier& side : fit.segments)
+    {
+        vertices.push_back(side.start());
+    }
+    return convexHull(vertices);
 }
 
 } // namespace chesil

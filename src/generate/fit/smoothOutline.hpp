@@ -44,4 +44,7 @@ OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan
 /// Throws ValueError unless there are [fewestSegments, mostSegments] of them and the polygon has an area.
 void requireFittable(const std::vector<Vector2>& polygon, int segments);
 
+/// The vertices of a convex polygon with so many sides (fewer where two fall together), fitted by the same solver.
+std::vector<Vector2> fitPolygon(const std::vector<Vector2>& polygon, int sides);
+
 } // namespace chesil
