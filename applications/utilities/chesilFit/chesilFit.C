@@ -20,7 +20,32 @@ Usage
 
     Options:
       - \par -segments \<number\>
-        Bezier segments of each grain, default: 10
+        Bezier segments of each grain, or sides of each polygon, default: 10;
+        with -accuracy: at most, default: 64
+
+      - \par -accuracy \<share\>
+        Wanted accuracy against the convex hull, 0 to 1: segments are added
+        where the error is until it is reached
+
+      - \par -model \<polybezier|polygon|ellipse\>
+        Shape of the grains, default: polybezier
+
+      - \par -method \<direct|swarm\>
+        Gauss-Newton on all numbers at once, or Lai & Huang's particle swarm,
+        default: direct
+
+      - \par -joints \<adapted|equal\>
+        Joints where the outline needs them, or at equally spaced normals (as
+        the swarm has them), default: adapted
+
+      - \par -particles \<number\>
+        Of the swarm, default: 20
+
+      - \par -iterations \<number\>
+        Of the swarm, default: 50
+
+      - \par -seed \<number\>
+        Of the swarm's random numbers, default: 1
 
       - \par -scale \<metres\>
         Size of a pixel [m]; without it sizes are in pixels, and the file says so
@@ -32,7 +57,8 @@ Usage
         Table (CSV) of accuracy and time, one row a grain
 
       - \par -placement \<file\>
-        Table (CSV) of each grain's centroid in the image
+        Table (CSV) of each grain's centroid in the image and, of ellipses, the
+        angle
 
       - \par -minPixels \<number\>
         Grains of fewer pixels are dropped as specks, default: 200
@@ -45,6 +71,8 @@ Usage
 
 #include "argList.H"
 #include "clockTime.H"
+#include "fitOptions.H"
+#include "readNumber.H"
 
 #include "core/base/setupError.hpp"
 #include "core/io/templateFile.hpp"
@@ -74,10 +102,7 @@ static void declareOptions()
         " on a light ground"
     );
     argList::addArgument("image", "PNG, JPEG or TIFF, colour or grey");
-    argList::addOption
-    (
-        "segments", "number", "Bezier segments of each grain (default: 10)"
-    );
+    declareFitOptions();
     argList::addOption
     (
         "scale", "metres", "Size of a pixel (default: none, sizes in pixels)"
@@ -109,47 +134,6 @@ static void declareOptions()
 }
 
 
-//- The number that an option gives, if it is there. Read here, since argList
-//  would answer a NaN with a floating point exception
-static bool readNumber(const argList& args, const word& option, double& number)
-{
-    if (!args.found(option))
-    {
-        return false;
-    }
-    const string& text = args[option];
-    char* end = nullptr;
-    number = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(number))
-    {
-        throw chesil::SetupError
-        (
-            "(command line)", "-" + option, "'" + text + "'", "a number"
-        );
-    }
-    return true;
-}
-
-
-static bool readNumber(const argList& args, const word& option, int& number)
-{
-    double given = 0;
-    if (!readNumber(args, option, given))
-    {
-        return false;
-    }
-    if (given != std::floor(given) || std::abs(given) > 1e9)
-    {
-        throw chesil::SetupError
-        (
-            "(command line)", "-" + option, args[option], "a whole number"
-        );
-    }
-    number = int(given);
-    return true;
-}
-
-
 static void printMedian
 (
     const char* title,
@@ -169,6 +153,26 @@ static void printMedian
 }
 
 
+//- The grains, if any, that are less accurate than wanted
+static void printUnreached(const std::vector<chesil::GrainFit>& fits)
+{
+    std::string names;
+    int count = 0;
+    for (std::size_t i = 0; i < fits.size(); ++i)
+    {
+        if (!fits[i].reachedAccuracy)
+        {
+            names += (count++ ? " " : "") + chesil::grainName(i);
+        }
+    }
+    if (count)
+    {
+        Info<< "Note: " << count << " grains did not reach the wanted accuracy"
+            << " with the segments allowed: " << names.c_str() << endl;
+    }
+}
+
+
 static void printSummary
 (
     const chesil::ImageGrains& image,
@@ -184,6 +188,7 @@ static void printSummary
     printMedian("Accuracy to silhouette    ", fits, &chesil::GrainFit::accuracySilhouette);
     printMedian("Accuracy to convex hull   ", fits, &chesil::GrainFit::accuracyHull);
     printMedian("Milliseconds a grain      ", fits, &chesil::GrainFit::milliseconds);
+    printUnreached(fits);
 
     const auto farFromConvex = std::count_if
     (
@@ -212,8 +217,7 @@ static void run(const argList& args)
     {
         imageSettings.threshold = threshold;
     }
-    chesil::FitSettings fitSettings;
-    readNumber(args, "segments", fitSettings.segments);
+    chesil::FitSettings fitSettings = readFitSettings(args);
     readNumber(args, "scale", fitSettings.scale);
 
     const chesil::ImageGrains image = chesil::readGrains(path, imageSettings);

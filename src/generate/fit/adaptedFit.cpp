@@ -51,11 +51,17 @@ OutlineFit fitToAccuracy(const std::vector<Vector2>& polygon, int most, double p
             plan = JointPlan::coarsest(polygon, most, 0);
             continue;
         }
-        const OutlineFit fit = atJoints ? *atJoints : fitWithoutCorners(polygon, plan);
-        const std::size_t worst = worstSegment(fit, plan);
-        if (isGoodEnough(fit.segments) || static_cast<int>(fit.segments.size()) >= most || worst == fit.segments.size())
+        const OutlineFit split = atJoints ? *atJoints : fitWithoutCorners(polygon, plan);
+        const int segments = static_cast<int>(split.segments.size());
+        const std::size_t worst = worstSegment(split, plan);
+        if (isGoodEnough(split.segments) || worst == split.segments.size())
         {
-            return fit;
+            return split;
+        }
+        const OutlineFit spread = fitWithCorners(polygon, segments, pixel);
+        if (isGoodEnough(spread.segments) || segments >= most)
+        {
+            return isGoodEnough(spread.segments) || spread.distance < split.distance ? spread : split;
         }
         plan.split(worst);
     }

@@ -12,9 +12,9 @@ namespace chesil
 /// than a smooth one, which then is taken. Throws as fitSmoothOutline does.
 OutlineFit fitWithCorners(const std::vector<Vector2>& polygon, int segments, double pixel);
 
-/// The fit with the fewest segments found that `isGoodEnough` accepts, or else the one of `most` segments: starts with
-/// JointPlan::coarsest and splits the segment with the largest area between it and the polygon. Throws as
-/// fitSmoothOutline does.
+/// The fit with the fewest segments found that `isGoodEnough` accepts, or else the nearer one of `most` segments. Starts
+/// with JointPlan::coarsest; splits the segment with the largest area between it and the polygon, and tries
+/// fitWithCorners with as many segments, too. Throws as fitSmoothOutline does.
 OutlineFit fitToAccuracy(const std::vector<Vector2>& polygon, int most, double pixel,
                          const std::function<bool(const std::vector<CubicBezier>&)>& isGoodEnough);
 

@@ -102,9 +102,27 @@ Segments fittedOutline(const CentredHull& hull, const FitSettings& settings)
     return settings.accuracy ? fewestPieces(settings.segments, fit, isGoodEnough) : fit(settings.segments);
 }
 
+/// Enlarged about its centroid.
+std::vector<Vector2> withArea(std::vector<Vector2> polygon, double area)
+{
+    const Vector2 centroid = polygonCentroid(polygon);
+    const double growth = std::sqrt(area / polygonArea(polygon));
+    for (Vector2& vertex : polygon)
+    {
+        vertex = centroid + growth * (vertex - centroid);
+    }
+    return polygon;
+}
+
 std::vector<Vector2> fittedPolygon(const CentredHull& hull, const FitSettings& settings)
 {
-    const auto fit = [&](int sides) { return fitPolygon(hull.vertices, sides); };
+    const auto fit = [&](int sides)
+    {
+        const std::vector<Vector2> inscribed =
+            withArea(largestInscribed(hull.vertices, sides), polygonArea(hull.vertices));
+        const std::vector<Vector2> nearest = fitPolygon(hull.vertices, sides);
+        return nearest.size() > 2 && hull.accuracy(nearest) > hull.accuracy(inscribed) ? nearest : inscribed;
+    };
     const auto isGoodEnough = [&](const std::vector<Vector2>& polygon)
     { return hull.accuracy(polygon) >= settings.accuracy.value(); };
     return settings.accuracy ? fewestPieces(settings.segments, fit, isGoodEnough) : fit(settings.segments);

@@ -51,7 +51,7 @@ enum class FitMethod
 enum class GrainModel
 {
     polyBezier,
-    /// fitPolygon
+    /// The better of fitPolygon and largestInscribed, enlarged to the hull's area.
     polygon,
     /// With the second moments of the convex outline.
     ellipse
