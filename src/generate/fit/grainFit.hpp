@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/shapes/shape.hpp"
+#include "generate/fit/jointPlan.hpp"
 #include "generate/fit/swarmFit.hpp"
 #include "generate/image/silhouetteReader.hpp"
 
