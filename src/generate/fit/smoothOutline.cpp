@@ -17,7 +17,7 @@ namespace
 {
 
 /// Least length of a handle, in units of the polygon's furthest vertex from its centroid: the rounding of
-/// coordinates of that size, 1e-16, then turns a tangent by 1e-13.
+/// coordinates of that size, 1e-16, then turns a tangent by some 1e-13.
 constexpr double leastHandle = 1e-3;
 
 /// Least gap between a handle's end and the crossing of the tangent lines, in the same unit: two such gaps
