@@ -11,7 +11,8 @@ namespace
 /// Distances that pixels do not tell from 0, in pixels: a corner within them stays.
 constexpr double unseen = 0.1;
 
-/// The segment with the largest area between it and the polygon that is not straight; their number if all are.
+/// The segment with the largest area between it and the polygon that is not straight; their number if all
+/// are.
 std::size_t worstSegment(const OutlineFit& fit, const JointPlan& plan)
 {
     std::size_t worst = fit.segments.size();

@@ -42,8 +42,10 @@ void writeFitReport(const std::string& path, const std::vector<GrainFit>& fits)
 void writePlacement(const std::string& path, const std::vector<GrainFit>& fits)
 {
     writeTable(path, "id,x,y,angle", fits,
-               [](std::ostream& row, const GrainFit& fit)
-               { row << std::setprecision(17) << fit.centroid.x() << ',' << fit.centroid.y() << ',' << fit.angle; });
+               [](std::ostream& row, const GrainFit& fit) {
+                   row << std::setprecision(17) << fit.centroid.x() << ',' << fit.centroid.y() << ','
+                       << fit.angle;
+               });
 }
 
 } // namespace chesil

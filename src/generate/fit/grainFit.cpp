@@ -37,7 +37,8 @@ Segments transformed(Segments segments, const Vector2& translation, double scale
     return segments;
 }
 
-/// A silhouette's convex outline about its own centre, since rounding grows with the distance from the origin.
+/// A silhouette's convex outline about its own centre, since rounding grows with the distance from the
+/// origin.
 struct CentredHull
 {
     explicit CentredHull(const Silhouette& silhouetteFitted) : silhouette(silhouetteFitted)
@@ -82,7 +83,8 @@ Segments equalOutline(const CentredHull& hull, int segments)
 
 Segments swarmOutline(const CentredHull& hull, int segments, const SwarmSettings& settings)
 {
-    return transformed(fitBySwarm(hull.silhouette, movedBy(hull.vertices, hull.centre), segments, settings), -hull.centre, 1);
+    return transformed(fitBySwarm(hull.silhouette, movedBy(hull.vertices, hull.centre), segments, settings),
+                       -hull.centre, 1);
 }
 
 Segments fittedOutline(const CentredHull& hull, const FitSettings& settings)
@@ -171,7 +173,8 @@ Fitted fittedEllipse(const CentredHull& hull, const FitSettings& settings)
     const Ellipse inPixels(halfAxes.x(), halfAxes.y());
     const Vector2 scaled = settings.scale * halfAxes;
     Fitted fitted{GrainFit{Ellipse(scaled.x(), scaled.y())}, {}};
-    fitted.points = outlinePoints(placed(inPixels.outline(), Pose<2>{Vector2::Zero(), Rotation<2>(angle)}), chordTolerance);
+    fitted.points = outlinePoints(placed(inPixels.outline(), Pose<2>{Vector2::Zero(), Rotation<2>(angle)}),
+                                  chordTolerance);
     fitted.fit.segments = 1;
     fitted.fit.angle = angle;
     return fitted;
@@ -181,18 +184,19 @@ Fitted fitted(const CentredHull& hull, const FitSettings& settings)
 {
     switch (settings.model)
     {
-        case GrainModel::polygon:
-            return fittedConvexPolygon(hull, settings);
-        case GrainModel::ellipse:
-            return fittedEllipse(hull, settings);
-        default:
-            return fittedPolyBezier(hull, settings);
+    case GrainModel::polygon:
+        return fittedConvexPolygon(hull, settings);
+    case GrainModel::ellipse:
+        return fittedEllipse(hull, settings);
+    default:
+        return fittedPolyBezier(hull, settings);
     }
 }
 
 void check(const std::string& imagePath, const FitSettings& settings)
 {
-    const auto require = [&](bool right, const char* name, const std::string& found, const std::string& wanted)
+    const auto require =
+        [&](bool right, const char* name, const std::string& found, const std::string& wanted)
     {
         if (!right)
         {

@@ -17,8 +17,8 @@ struct GrainFit
 {
     /// About its centroid, turned as in the image, x to the right, y up; unit: pixel times the scale given.
     Shape grain;
-    /// What an ellipse, whose half-axes are along x and y, has to be turned by counter-clockwise [rad] to be as in the
-    /// image; 0 for the other shapes.
+    /// What an ellipse, whose half-axes are along x and y, has to be turned by counter-clockwise [rad] to be
+    /// as in the image; 0 for the other shapes.
     double angle = 0;
     /// Bezier segments or sides; 1 of an ellipse.
     int segments = 0;
@@ -60,7 +60,8 @@ enum class GrainModel
 
 struct FitSettings
 {
-    /// Of each grain, or sides of a polygon; see fewestSegments and mostSegments. With `accuracy`: the most allowed.
+    /// Of each grain, or sides of a polygon; see fewestSegments and mostSegments. With `accuracy`: the most
+    /// allowed.
     int segments = 10;
     /// Size of a pixel, in the unit that the grains shall have.
     double scale = 1;
@@ -69,8 +70,8 @@ struct FitSettings
     /// Of the direct method; the swarm's joints are equally spaced.
     JointSpacing joints = JointSpacing::adapted;
     SwarmSettings swarm;
-    /// Wanted accuracy against the convex hull: segments are added until it is reached. Adapted joints are added where
-    /// the error is, else the fit is repeated with one segment more. No matter for an ellipse.
+    /// Wanted accuracy against the convex hull: segments are added until it is reached. Adapted joints are
+    /// added where the error is, else the fit is repeated with one segment more. No matter for an ellipse.
     std::optional<double> accuracy;
 };
 

@@ -98,9 +98,10 @@ HullCorner cornerFrom(std::size_t first, const Turns& turns, double length)
 
 bool isSharp(const HullCorner& corner, const Turns& turns, double pixel)
 {
-    const double beside = turns.turnBefore(corner.first, besidePixels * pixel)
-                          + turns.turnAfter(corner.last, besidePixels * pixel);
-    return corner.turn >= leastTurn && corner.turn <= mostTurn && corner.turn >= shareOfTurn * (corner.turn + beside);
+    const double beside = turns.turnBefore(corner.first, besidePixels * pixel) +
+                          turns.turnAfter(corner.last, besidePixels * pixel);
+    return corner.turn >= leastTurn && corner.turn <= mostTurn &&
+           corner.turn >= shareOfTurn * (corner.turn + beside);
 }
 
 bool overlap(const HullCorner& a, const HullCorner& b, std::size_t count)

@@ -85,8 +85,8 @@ Course courseOf(const std::vector<Vector2>& polygon, std::size_t first, std::siz
 
 double normalAngle(const Vector2& edge) { return std::atan2(-edge.x(), edge.y()); }
 
-/// Means over `smoothing` cells on both sides, over fewer near the ends unless the values go on round the outline,
-/// rising by `period`.
+/// Means over `smoothing` cells on both sides, over fewer near the ends unless the values go on round the
+/// outline, rising by `period`.
 std::vector<double> smoothed(const std::vector<double>& values, bool closed)
 {
     const int cells = static_cast<int>(values.size()) - 1;
@@ -94,8 +94,9 @@ std::vector<double> smoothed(const std::vector<double>& values, bool closed)
     const auto value = [&](int i)
     {
         const int wrapped = (i % cells + cells) % cells;
-        return i >= 0 && i <= cells ? values[static_cast<std::size_t>(i)]
-                                    : values[static_cast<std::size_t>(wrapped)] + period * ((i - wrapped) / cells);
+        return i >= 0 && i <= cells
+                   ? values[static_cast<std::size_t>(i)]
+                   : values[static_cast<std::size_t>(wrapped)] + period * ((i - wrapped) / cells);
     };
     std::vector<double> means;
     for (int i = 0; i <= cells; ++i)
@@ -116,10 +117,12 @@ HullMeasure::Piece measured(const Course& course, double perimeter, int segments
     std::vector<double> places;
     for (std::size_t i = 0; i < course.lengths.size(); ++i)
     {
-        places.push_back(course.lengths[i] / perimeter + (course.angles[i] - course.angles.front()) / (2 * M_PI));
+        places.push_back(course.lengths[i] / perimeter +
+                         (course.angles[i] - course.angles.front()) / (2 * M_PI));
     }
     const double whole = places.back();
-    const int cells = std::max(2 * smoothing, static_cast<int>(std::ceil(whole / 2 * segments * cellsPerSegment)));
+    const int cells =
+        std::max(2 * smoothing, static_cast<int>(std::ceil(whole / 2 * segments * cellsPerSegment)));
     std::vector<double> lengths;
     std::vector<double> angles;
     for (int i = 0; i <= cells; ++i)
@@ -142,8 +145,8 @@ HullMeasure::Piece measured(const Course& course, double perimeter, int segments
         {
             const double length = (lengths[k] - lengths[k - 1]) / perimeter;
             const double bend = (angles[k] - angles[k - 1]) / (2 * M_PI);
-            piece.measures.push_back(piece.measures.back() + std::cbrt(length * length * bend)
-                                     + evenShare * (length + bend) / 2);
+            piece.measures.push_back(piece.measures.back() + std::cbrt(length * length * bend) +
+                                     evenShare * (length + bend) / 2);
         }
     }
     return piece;
@@ -159,7 +162,8 @@ void extrapolate(HullMeasure::Piece& piece, const Course& course, double perimet
     piece.endAngle = 1.5 * mean(whole - stretch) - 0.5 * mean(whole - 2 * stretch);
 }
 
-bool isStraight(const std::vector<Vector2>& polygon, const HullCorner& from, const HullCorner& to, std::size_t last, double allowed)
+bool isStraight(const std::vector<Vector2>& polygon, const HullCorner& from, const HullCorner& to,
+                std::size_t last, double allowed)
 {
     const Vector2 normal = -perpendicular(Vector2(to.position - from.position)).normalized();
     for (std::size_t i = from.last + 1; i < last; ++i)
@@ -180,7 +184,8 @@ std::size_t nextFirst(const std::vector<HullCorner>& corners, std::size_t k, std
 
 } // namespace
 
-HullMeasure::HullMeasure(const std::vector<Vector2>& polygon, const std::vector<HullCorner>& corners, int segments)
+HullMeasure::HullMeasure(const std::vector<Vector2>& polygon, const std::vector<HullCorner>& corners,
+                         int segments)
 {
     double perimeter = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -200,15 +205,16 @@ HullMeasure::HullMeasure(const std::vector<Vector2>& polygon, const std::vector<
     {
         // One turn at most from one piece to the next
         angle += std::remainder(edgeAngle(corners[k].last) - angle, 2 * M_PI);
-        const Course course = courseOf(polygon, corners[k].last, nextFirst(corners, k, polygon.size()), angle);
+        const Course course =
+            courseOf(polygon, corners[k].last, nextFirst(corners, k, polygon.size()), angle);
         pieces_.push_back(measured(course, perimeter, segments, false));
         extrapolate(pieces_.back(), course, perimeter);
         angle = course.angles.back() + corners[(k + 1) % corners.size()].turn;
     }
 }
 
-void HullMeasure::findStraightPieces(const std::vector<Vector2>& polygon, const std::vector<HullCorner>& corners,
-                                     double pixel)
+void HullMeasure::findStraightPieces(const std::vector<Vector2>& polygon,
+                                     const std::vector<HullCorner>& corners, double pixel)
 {
     constexpr double allowed = 0.75;
     for (std::size_t k = 0; k < corners.size() && corners.size() > 1; ++k)

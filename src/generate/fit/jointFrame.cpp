@@ -21,8 +21,8 @@ JointFrame::JointFrame(const std::vector<PlannedJoint>& joints)
         const Vector2 normal = unitVector((joint.before + joint.after) / 2);
         const Vector2 last = joint.isCorner() ? unitVector(joint.before) : normal;
         const Vector2 first = joint.isCorner() ? unitVector(joint.after) : normal;
-        axes_.push_back({normal, last, first, perpendicular(normal), perpendicular(last), perpendicular(first),
-                         joint.isCorner(), joint.straightAfter});
+        axes_.push_back({normal, last, first, perpendicular(normal), perpendicular(last),
+                         perpendicular(first), joint.isCorner(), joint.straightAfter});
     }
     const Eigen::Index size = perJoint * static_cast<Eigen::Index>(joints.size());
     gapMatrix_ = Eigen::MatrixXd::Zero(size, size);
@@ -42,7 +42,8 @@ Eigen::RowVectorXd JointFrame::coordinate(int i, const Vector2& direction) const
     return row;
 }
 
-/// The line n.x = o, o = n.P_i, meets the line m.x = n_k.P_k at the distance (m.P_k - m.P_i) / (t.m) from P_i along t.
+/// The line n.x = o, o = n.P_i, meets the line m.x = n_k.P_k at the distance (m.P_k - m.P_i) / (t.m) from P_i
+/// along t.
 void JointFrame::addGaps(int i)
 {
     const auto wayToCrossing = [&](int k, const Vector2& otherNormal, const Vector2& way)
@@ -55,7 +56,8 @@ void JointFrame::addGaps(int i)
     const int first = perJoint * i;
     if (hasGap(i, 0))
     {
-        gapMatrix_.row(first) = -wayToCrossing(previous(i), axes(previous(i)).normalAfter, axes(i).tangentBefore);
+        gapMatrix_.row(first) =
+            -wayToCrossing(previous(i), axes(previous(i)).normalAfter, axes(i).tangentBefore);
         gapMatrix_(first, first + before) -= 1;
         gapMatrix_(first + 1, first + before) = 1;
     }

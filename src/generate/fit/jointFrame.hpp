@@ -25,10 +25,10 @@ namespace chesil
 /// positive. Control points and gaps are linear in z, so that fitting is linear least squares under
 /// linear inequalities. Replaces x1, x2 of Lai & Huang, section 4, where the joints stand still.
 ///
-/// A corner is a joint with a range of normals, from n_b of the segment that ends here to n_a of the one that starts
-/// here. It has two tangent lines, both through the corner: Q2 stands on the one, Q1 on the other; `offset` and
-/// `along` are its coordinates along the normal half way between and across. A straight segment between two corners has
-/// no handles: their entries and gaps are not used, and zero.
+/// A corner is a joint with a range of normals, from n_b of the segment that ends here to n_a of the one that
+/// starts here. It has two tangent lines, both through the corner: Q2 stands on the one, Q1 on the other;
+/// `offset` and `along` are its coordinates along the normal half way between and across. A straight segment
+/// between two corners has no handles: their entries and gaps are not used, and zero.
 class JointFrame
 {
 public:
@@ -59,8 +59,8 @@ public:
     /// Gap `part` (0 to 3) of joint i is used.
     bool hasGap(int i, int part) const { return !isStraight(part < 2 ? previous(i) : i); }
 
-    /// Lengths of tangent line i from the crossing before to the joint and from there to the crossing behind; infinite
-    /// beside a straight segment.
+    /// Lengths of tangent line i from the crossing before to the joint and from there to the crossing behind;
+    /// infinite beside a straight segment.
     std::array<double, 2> edgeLengths(const Eigen::VectorXd& z, int i) const;
 
     /// Segment i, from joint i to the next. Control points beside a joint are the joint plus a length times
@@ -73,9 +73,9 @@ public:
     /// z of joints at these points, one a joint, without handles.
     Eigen::VectorXd atPoints(const std::vector<Vector2>& points) const;
 
-    /// z of the outline whose tangent lines and corners are those of `lines`, with pieces of positive lengths between
-    /// the crossings, each smooth joint as near to its place in `lines` as a quarter of its piece allows, and
-    /// handles of half the way to the crossings.
+    /// z of the outline whose tangent lines and corners are those of `lines`, with pieces of positive lengths
+    /// between the crossings, each smooth joint as near to its place in `lines` as a quarter of its piece
+    /// allows, and handles of half the way to the crossings.
     Eigen::VectorXd withHandles(const Eigen::VectorXd& lines) const;
 
 private:

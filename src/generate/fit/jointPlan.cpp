@@ -10,8 +10,8 @@ namespace chesil
 namespace
 {
 
-/// A segment turns by no more than this, since its tangent lines must cross at a distance that is no multiple of the
-/// grain's size.
+/// A segment turns by no more than this, since its tangent lines must cross at a distance that is no multiple
+/// of the grain's size.
 constexpr double mostTurn = 2.4;
 
 /// What a corner's extrapolated normals leave between them and the next joint's at least.
@@ -90,7 +90,8 @@ JointPlan JointPlan::withCorners(const std::vector<Vector2>& polygon, int most, 
             return plan;
         }
         plan.corners_.erase(std::min_element(plan.corners_.begin(), plan.corners_.end(),
-                                             [](const HullCorner& a, const HullCorner& b) { return a.turn < b.turn; }));
+                                             [](const HullCorner& a, const HullCorner& b)
+                                             { return a.turn < b.turn; }));
     }
 }
 
@@ -118,7 +119,8 @@ JointPlan JointPlan::polygon(const std::vector<Vector2>& polygon, int sides)
     for (PlannedJoint& joint : plan.joints_)
     {
         const Vector2 normal(std::cos(joint.after), std::sin(joint.after));
-        joint.corner = *std::max_element(polygon.begin(), polygon.end(), [&](const Vector2& a, const Vector2& b)
+        joint.corner = *std::max_element(polygon.begin(), polygon.end(),
+                                         [&](const Vector2& a, const Vector2& b)
                                          { return normal.dot(a) < normal.dot(b); });
         joint.before -= range;
         joint.after += range;
@@ -126,7 +128,8 @@ JointPlan JointPlan::polygon(const std::vector<Vector2>& polygon, int sides)
     }
     // Of neighbours at one vertex, one
     std::vector<PlannedJoint>& joints = plan.joints_;
-    joints.erase(std::unique(joints.begin(), joints.end(), [](const PlannedJoint& a, const PlannedJoint& b)
+    joints.erase(std::unique(joints.begin(), joints.end(),
+                             [](const PlannedJoint& a, const PlannedJoint& b)
                              { return a.corner == b.corner; }),
                  joints.end());
     if (joints.back().corner == joints.front().corner)
@@ -153,9 +156,10 @@ void JointPlan::split(std::size_t segment)
 {
     const Place& start = places_[segment];
     const std::size_t next = segment + 1;
-    const double end = next < places_.size() && places_[next].piece == start.piece
-                           ? places_[next].measure
-                           : measure_->pieces()[start.piece].measure() + (corners_.empty() ? places_[0].measure : 0);
+    const double end =
+        next < places_.size() && places_[next].piece == start.piece
+            ? places_[next].measure
+            : measure_->pieces()[start.piece].measure() + (corners_.empty() ? places_[0].measure : 0);
     const Place middle{start.piece, (start.measure + end) / 2, false};
     places_.insert(places_.begin() + static_cast<std::ptrdiff_t>(next), middle);
     findNormals();
@@ -220,7 +224,8 @@ void JointPlan::findNormals()
         }
         for (std::size_t j = 0; j + 1 < angles.size(); ++j)
         {
-            const double even = angles.front() + (angles.back() - angles.front()) * static_cast<double>(j) / count;
+            const double even =
+                angles.front() + (angles.back() - angles.front()) * static_cast<double>(j) / count;
             const double angle = (1 - share) * angles[j] + share * even;
             joints_.push_back({angle, angle, Vector2::Zero(), piece.straight});
         }

@@ -13,8 +13,8 @@ constexpr int mostSegments = 64;
 /// A joint of an outline to be fitted to a convex polygon.
 struct PlannedJoint
 {
-    /// Angles [rad] of the outward normals at the end of the segment before and at the start of the segment after it:
-    /// one and the same at a smooth joint.
+    /// Angles [rad] of the outward normals at the end of the segment before and at the start of the segment
+    /// after it: one and the same at a smooth joint.
     double before = 0;
     double after = 0;
     /// Of a corner: where the hull has it. A smooth joint's place is its normal's support point.
@@ -33,8 +33,8 @@ public:
     static JointPlan equal(int segments);
 
     /// Joints at the polygon's corners, of which there are none if `pixel` [units of the polygon] is 0, and
-    /// between them such that the HullMeasure is spread evenly. Of more corners than the segments suffice for, the
-    /// sharpest count. A polygon all of whose sides are straight gets no more segments than sides.
+    /// between them such that the HullMeasure is spread evenly. Of more corners than the segments suffice
+    /// for, the sharpest count. A polygon all of whose sides are straight gets no more segments than sides.
     static JointPlan adapted(const std::vector<Vector2>& polygon, int segments, double pixel);
 
     /// As few adapted joints as do, with all corners for which `most` segments suffice; to be split.

@@ -36,7 +36,8 @@ Chains longer(const Chains& chains, const std::vector<Vector2>& polygon)
 }
 
 /// Vertices of the largest polygon that has the first one among its, and twice its area.
-std::pair<std::vector<Vector2>, double> largestFromFirst(const std::vector<Vector2>& polygon, std::size_t count)
+std::pair<std::vector<Vector2>, double> largestFromFirst(const std::vector<Vector2>& polygon,
+                                                         std::size_t count)
 {
     std::vector<Chains> chains{{std::vector<double>(polygon.size(), -1), {}}};
     chains[0].areas[0] = 0;

@@ -62,7 +62,10 @@ double OutlineProblem::value(const Eigen::VectorXd& z, const std::vector<double>
     return sum / 2 - barrier * gaps.log().sum();
 }
 
-double OutlineProblem::distance(const Eigen::VectorXd& z) const { return std::sqrt(meanSquare(z, sampleWeights(z))); }
+double OutlineProblem::distance(const Eigen::VectorXd& z) const
+{
+    return std::sqrt(meanSquare(z, sampleWeights(z)));
+}
 
 double OutlineProblem::meanSquare(const Eigen::VectorXd& z, const std::vector<double>& weights) const
 {

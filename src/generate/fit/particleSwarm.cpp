@@ -43,8 +43,9 @@ private:
 
 } // namespace
 
-Eigen::ArrayXd minimiseBySwarm(const std::function<double(const Eigen::ArrayXd&)>& cost, const Eigen::ArrayXd& lower,
-                               const Eigen::ArrayXd& upper, const SwarmSettings& settings)
+Eigen::ArrayXd minimiseBySwarm(const std::function<double(const Eigen::ArrayXd&)>& cost,
+                               const Eigen::ArrayXd& lower, const Eigen::ArrayXd& upper,
+                               const SwarmSettings& settings)
 {
     Uniform uniform(settings.seed);
     std::vector<Particle> swarm(static_cast<std::size_t>(settings.particles));

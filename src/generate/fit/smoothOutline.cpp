@@ -71,9 +71,9 @@ private:
     Eigen::Matrix2d squares_;
 };
 
-/// The smallest share of the ellipse that has to be mixed into the outline `sharp` for each tangent line to hold its
-/// points with room to spare. Where a corner of the polygon is the support point of several directions, the
-/// lines' pieces between their crossings vanish; those of the ellipse are long.
+/// The smallest share of the ellipse that has to be mixed into the outline `sharp` for each tangent line to
+/// hold its points with room to spare. Where a corner of the polygon is the support point of several
+/// directions, the lines' pieces between their crossings vanish; those of the ellipse are long.
 double ellipseShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const Eigen::VectorXd& ellipse)
 {
     // Of a piece, withHandles() gives an eighth at least to each gap.
@@ -103,8 +103,8 @@ double ellipseShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const
     return share;
 }
 
-/// Joints at the polygon's support points, as far as corners allow; around them where even the ellipse has too
-/// sharp a bend for so many of them.
+/// Joints at the polygon's support points, as far as corners allow; around them where even the ellipse has
+/// too sharp a bend for so many of them.
 Eigen::VectorXd startAtSupportPoints(const JointFrame& frame, const OutlineProblem& problem,
                                      const std::vector<Vector2>& supports, const InertiaEllipse& ellipse)
 {
@@ -137,7 +137,8 @@ Eigen::ArrayXd leastGaps(const JointFrame& frame)
     {
         for (int part = 0; part < JointFrame::perJoint; ++part)
         {
-            gaps[JointFrame::perJoint * i + part] = frame.hasGap(i, part) ? least[static_cast<std::size_t>(part)] : -1;
+            gaps[JointFrame::perJoint * i + part] =
+                frame.hasGap(i, part) ? least[static_cast<std::size_t>(part)] : -1;
         }
     }
     return gaps;

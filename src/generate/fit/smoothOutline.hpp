@@ -28,13 +28,13 @@ struct OutlineFit
     std::vector<CubicBezier> segments;
     /// Root of its mean squared distance from the polygon, in the polygon's unit.
     double distance = 0;
-    /// Area between each segment and the polygon, about, in units of the polygon's furthest vertex from its centroid,
-    /// squared.
+    /// Area between each segment and the polygon, about, in units of the polygon's furthest vertex from its
+    /// centroid, squared.
     std::vector<double> areas;
 };
 
-/// The same with joints of this plan, corners included. None if they leave no room for a convex outline: too many of them at a sharp tip or
-/// along a straight side, or corners with normals that contradict each other.
+/// The same with joints of this plan, corners included. None if they leave no room for a convex outline: too
+/// many of them at a sharp tip or along a straight side, or corners with normals that contradict each other.
 std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const JointPlan& plan);
 
 /// An outline without corners at adapted joints, evened until there is room for it.
@@ -43,7 +43,8 @@ OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan
 /// Throws ValueError unless there are [fewestSegments, mostSegments] of them and the polygon has an area.
 void requireFittable(const std::vector<Vector2>& polygon, int segments);
 
-/// The vertices of a convex polygon with so many sides (fewer where two fall together), fitted by the same solver.
+/// The vertices of a convex polygon with so many sides (fewer where two fall together), fitted by the same
+/// solver.
 std::vector<Vector2> fitPolygon(const std::vector<Vector2>& polygon, int sides);
 
 } // namespace chesil

@@ -18,11 +18,12 @@ namespace
 /// Least length of x1 and x2 in units of the hull's size, see leastHandle in smoothOutline.cpp.
 constexpr double leastLength = 1e-3;
 
-/// In units of that: a joint this near to its neighbour's tangent line lies on it, and the segment is straight.
+/// In units of that: a joint this near to its neighbour's tangent line lies on it, and the segment is
+/// straight.
 constexpr double nothing = 1e-6;
 
-/// Share of the way to the crossing that x1 and x2 leave: with both points on it, the direction of Q1 Q2 would be
-/// rounding alone.
+/// Share of the way to the crossing that x1 and x2 leave: with both points on it, the direction of Q1 Q2
+/// would be rounding alone.
 constexpr double crossingMargin = 1e-3;
 
 /// Chords that stand for a segment when its pixels are counted.
@@ -32,7 +33,8 @@ constexpr int chords = 24;
 class DarkPixels
 {
 public:
-    explicit DarkPixels(const Silhouette& silhouette) : width_(silhouette.width()), height_(silhouette.height())
+    explicit DarkPixels(const Silhouette& silhouette)
+        : width_(silhouette.width()), height_(silhouette.height())
     {
         for (int y = 0; y < height_; ++y)
         {
@@ -108,13 +110,14 @@ public:
 class SegmentCost
 {
 public:
-    SegmentCost(const DarkPixels& pixels, const Vector2& start, const Vector2& startTangent, const Vector2& end,
-                const Vector2& endTangent)
+    SegmentCost(const DarkPixels& pixels, const Vector2& start, const Vector2& startTangent,
+                const Vector2& end, const Vector2& endTangent)
         : pixels_(pixels), start_(start), startTangent_(startTangent), end_(end), endTangent_(endTangent)
     {
         const double sine = cross(startTangent, endTangent);
         const Vector2 chord = end - start;
-        longest_ << std::max(0.0, cross(chord, endTangent) / sine), std::max(0.0, cross(startTangent, chord) / sine);
+        longest_ << std::max(0.0, cross(chord, endTangent) / sine),
+            std::max(0.0, cross(startTangent, chord) / sine);
         runs_.set(std::array<Vector2, 3>{start, Vector2(start + longest_[0] * startTangent), end});
         for (std::size_t k = 0; k < runs_.reaches.size(); ++k)
         {
@@ -128,7 +131,8 @@ public:
 
     CubicBezier segment(const Eigen::ArrayXd& lengths) const
     {
-        return CubicBezier({start_, start_ + lengths[0] * startTangent_, end_ - lengths[1] * endTangent_, end_});
+        return CubicBezier(
+            {start_, start_ + lengths[0] * startTangent_, end_ - lengths[1] * endTangent_, end_});
     }
 
     double operator()(const Eigen::ArrayXd& lengths)
@@ -212,8 +216,8 @@ std::vector<Joint> jointsOf(const std::vector<Vector2>& hull, int segments)
 
 } // namespace
 
-std::vector<CubicBezier> fitBySwarm(const Silhouette& silhouette, const std::vector<Vector2>& hull, int segments,
-                                    const SwarmSettings& settings)
+std::vector<CubicBezier> fitBySwarm(const Silhouette& silhouette, const std::vector<Vector2>& hull,
+                                    int segments, const SwarmSettings& settings)
 {
     if (segments < fewestSegments || segments > mostSegments)
     {

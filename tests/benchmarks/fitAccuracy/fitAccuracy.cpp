@@ -1,11 +1,11 @@
-/// How well polybezier grains of ever more segments, found by the direct solver or by the paper's particle swarm, and
-/// polygons render the shapes of the chart of sphericity and roundness, and what finding them costs.
+/// How well polybezier grains of ever more segments, found by the direct solver or by the paper's particle
+/// swarm, and polygons render the shapes of the chart of sphericity and roundness, and what finding them
+/// costs.
 
 #include "benchmarks/common/benchmark.hpp"
 #include "generate/fit/grainFit.hpp"
 #include "unit/generate/chartShapes.hpp"
 #include "unit/record.hpp"
-
 
 namespace chesil::benchmark
 {
@@ -64,8 +64,8 @@ public:
     Sample add(const std::string& method, const std::string& knob, const FitSettings& settings)
     {
         const Sample sample = sampled(shapes_, settings);
-        std::printf("%-28s %10s  median %.5f  worst %.5f  %8.2f ms\n", method.c_str(), knob.c_str(), sample.medianError,
-                    sample.worstError, sample.milliseconds);
+        std::printf("%-28s %10s  median %.5f  worst %.5f  %8.2f ms\n", method.c_str(), knob.c_str(),
+                    sample.medianError, sample.worstError, sample.milliseconds);
         medians_.measurements.push_back({method, knob, sample.medianError, sample.milliseconds / 1000});
         worst_.measurements.push_back({method, knob, sample.worstError, sample.milliseconds / 1000});
         return sample;
@@ -123,8 +123,7 @@ Results measure()
         {
             settings.swarm.particles = particles;
             settings.swarm.iterations = iterations;
-            const Sample sample =
-                sweep.add(text("swarm of %d", particles), text("%d", iterations), settings);
+            const Sample sample = sweep.add(text("swarm of %d", particles), text("%d", iterations), settings);
             swarmBest = std::min(swarmBest, sample.medianError);
         }
     }

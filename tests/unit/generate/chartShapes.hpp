@@ -9,8 +9,8 @@
 namespace chesil::test
 {
 
-/// A convex polygon whose corners are all rounded to one radius: the points within `radius` of its `core`, the polygon
-/// with its sides moved inward by the radius.
+/// A convex polygon whose corners are all rounded to one radius: the points within `radius` of its `core`,
+/// the polygon with its sides moved inward by the radius.
 struct RoundedPolygon
 {
     std::vector<Vector2> core;
@@ -89,9 +89,9 @@ inline Vector2 extent(const RoundedPolygon& shape)
     return high - low + Vector2::Constant(2 * shape.radius);
 }
 
-/// A shape of the chart, `across` [pixel] long, in a box with a margin of two pixels: a heptagon with uneven corners,
-/// each rounded by `roundness` times the radius of its inscribed circle (Wadell's roundness is then just that),
-/// squeezed until breadth over length is `sphericity`.
+/// A shape of the chart, `across` [pixel] long, in a box with a margin of two pixels: a heptagon with uneven
+/// corners, each rounded by `roundness` times the radius of its inscribed circle (Wadell's roundness is then
+/// just that), squeezed until breadth over length is `sphericity`.
 inline RoundedPolygon chartShape(double sphericity, double roundness, double across)
 {
     const std::vector<double> degrees{8, 52, 118, 165, 214, 270, 322};

@@ -34,8 +34,8 @@ double largestSmoothAngle(const PolyBezier& grain)
     return largest;
 }
 
-/// Whether the support points of 10^4 normals go round counter-clockwise, none of them further out than another
-/// normal's support line.
+/// Whether the support points of 10^4 normals go round counter-clockwise, none of them further out than
+/// another normal's support line.
 bool isConvexForNormals(const PolyBezier& grain)
 {
     constexpr int normals = 10000;
@@ -45,8 +45,8 @@ bool isConvexForNormals(const PolyBezier& grain)
         const double angle = 2 * M_PI * i / normals;
         const Vector2 normal(std::cos(angle), std::sin(angle));
         const Vector2 point = grain.support(normal);
-        if (perpendicular(normal).dot(point - before) < -1e-12 * grain.boundingRadius()
-            || normal.dot(before - point) > 1e-12 * grain.boundingRadius())
+        if (perpendicular(normal).dot(point - before) < -1e-12 * grain.boundingRadius() ||
+            normal.dot(before - point) > 1e-12 * grain.boundingRadius())
         {
             return false;
         }
@@ -247,7 +247,8 @@ TEST(GrainFit, slenderGrainsKeepTheirThickness)
         {
             const test::DrawnEllipse ellipse{Vector2(603, 603.3), 600, 600 / ratio, Rotation<2>(turn)};
             const GrainFit fit = fitGrain(test::drawn(ellipse.boxSize(), ellipse.boxSize(), ellipse));
-            EXPECT_NEAR(polyBezier(fit).massProperties().area / ellipse.area(), 1, 0.004) << ratio << " " << turn;
+            EXPECT_NEAR(polyBezier(fit).massProperties().area / ellipse.area(), 1, 0.004)
+                << ratio << " " << turn;
             EXPECT_GE(fit.accuracyHull, 0.995) << ratio << " " << turn;
             EXPECT_LE(largestSmoothAngle(polyBezier(fit)), tolerances::joint);
             const GrainFit plank = fitGrain(drawnRectangle(1200, 1200 / ratio, turn));
@@ -269,7 +270,8 @@ TEST(GrainFit, squareAndHalfDiskHaveTheirCorners)
         const Silhouette halfDisk = test::drawn(440, 440,
                                                 [&](const Vector2& point)
                                                 {
-                                                    const Vector2 local = rotation.applyInverse(point - Vector2(220, 220));
+                                                    const Vector2 local =
+                                                        rotation.applyInverse(point - Vector2(220, 220));
                                                     return local.norm() <= 200 && local.y() >= 0;
                                                 });
         const GrainFit fit = fitGrain(halfDisk);

@@ -14,7 +14,8 @@ using namespace chesil;
 TEST(ParticleSwarm, findsTheLowestOfManyHollows)
 {
     // Rastrigin's function: about 100 hollows in this box
-    const auto cost = [](const Eigen::ArrayXd& x) { return (x.square() - 10 * (2 * M_PI * x).cos() + 10).sum(); };
+    const auto cost = [](const Eigen::ArrayXd& x)
+    { return (x.square() - 10 * (2 * M_PI * x).cos() + 10).sum(); };
     const Eigen::ArrayXd bound = Eigen::ArrayXd::Constant(2, 5.12);
     SwarmSettings settings;
     settings.iterations = 200;
@@ -28,15 +29,19 @@ TEST(ParticleSwarm, staysInItsBoxAndRepeatsToTheBit)
     const Eigen::ArrayXd found = minimiseBySwarm(cost, lower, lower + 2);
     EXPECT_TRUE((found == lower).all());
     const auto hollow = [](const Eigen::ArrayXd& x) { return (x - 2.1).square().sum(); };
-    EXPECT_TRUE((minimiseBySwarm(hollow, lower, lower + 2) == minimiseBySwarm(hollow, lower, lower + 2)).all());
+    EXPECT_TRUE(
+        (minimiseBySwarm(hollow, lower, lower + 2) == minimiseBySwarm(hollow, lower, lower + 2)).all());
     SwarmSettings other;
     other.seed = 2;
-    EXPECT_FALSE((minimiseBySwarm(hollow, lower, lower + 2) == minimiseBySwarm(hollow, lower, lower + 2, other)).all());
+    EXPECT_FALSE(
+        (minimiseBySwarm(hollow, lower, lower + 2) == minimiseBySwarm(hollow, lower, lower + 2, other))
+            .all());
 }
 
 TEST(SwarmFit, ofADiskIsTheDisk)
 {
-    const Silhouette disk = test::drawn(210, 210, [](const Vector2& p) { return (p - Vector2(105, 105)).norm() <= 100; });
+    const Silhouette disk =
+        test::drawn(210, 210, [](const Vector2& p) { return (p - Vector2(105, 105)).norm() <= 100; });
     const PolyBezier grain(fitBySwarm(disk, convexOutline(disk), 8));
     EXPECT_EQ(grain.segments().size(), 8u);
     EXPECT_LE(grain.largestJointAngle(), tolerances::joint);
@@ -47,8 +52,8 @@ TEST(SwarmFit, ofADiskIsTheDisk)
     }
 }
 
-/// A joint that stands at a hull's vertex for several directions is a corner. Two sides have no direction of their own:
-/// their segments may bulge by half a pixel, which no pixel sees.
+/// A joint that stands at a hull's vertex for several directions is a corner. Two sides have no direction of
+/// their own: their segments may bulge by half a pixel, which no pixel sees.
 TEST(SwarmFit, ofASquareIsTheSquare)
 {
     const Silhouette square(60, 60, std::vector<std::uint8_t>(3600, 1));
