@@ -22,7 +22,32 @@ Usage
 
     Options:
       - \par -segments \<number\>
-        Bezier segments of each grain, default: 10
+        Bezier segments of each grain, or sides of each polygon, default: 10;
+        with -accuracy: at most, default: 64
+
+      - \par -accuracy \<share\>
+        Wanted accuracy against the convex hull, 0 to 1: segments are added
+        where the error is until it is reached
+
+      - \par -model \<polybezier|polygon|ellipse\>
+        Shape of the grains, default: polybezier
+
+      - \par -method \<direct|swarm\>
+        Gauss-Newton on all numbers at once, or Lai & Huang's particle swarm,
+        default: direct
+
+      - \par -joints \<adapted|equal\>
+        Joints where the outline needs them, or at equally spaced normals (as
+        the swarm has them), default: adapted
+
+      - \par -particles \<number\>
+        Of the swarm, default: 20
+
+      - \par -iterations \<number\>
+        Of the swarm, default: 50
+
+      - \par -seed \<number\>
+        Of the swarm's random numbers, default: 1
 
       - \par -scale \<metres\>
         Size of a pixel [m]; without it sizes are in pixels, and the file says so
@@ -34,7 +59,8 @@ Usage
         Table (CSV) of accuracy and time, one row a grain
 
       - \par -placement \<file\>
-        Table (CSV) of each grain's centroid in the image
+        Table (CSV) of each grain's centroid in the image and, of ellipses, the
+        angle
 
       - \par -minPixels \<number\>
         Grains of fewer pixels are dropped as specks, default: 200
@@ -59,6 +85,7 @@ Usage
 
 #include "argList.H"
 #include "clockTime.H"
+#include "fitOptions.H"
 #include "imageOptions.H"
 
 #include "core/io/templateFile.hpp"
@@ -92,10 +119,7 @@ static void declareOptions()
         "By its ending: outlines (.csv with the columns id, x, y; .geojson or"
         " .json), else an image (PNG, JPEG or TIFF, colour or grey)"
     );
-    argList::addOption
-    (
-        "segments", "number", "Bezier segments of each grain (default: 10)"
-    );
+    declareFitOptions();
     argList::addOption
     (
         "scale", "metres", "Size of a pixel (default: none, sizes in pixels)"
@@ -135,6 +159,26 @@ static void printMedian
 }
 
 
+//- The grains, if any, that are less accurate than wanted
+static void printUnreached(const std::vector<chesil::GrainFit>& fits)
+{
+    std::string names;
+    int count = 0;
+    for (std::size_t i = 0; i < fits.size(); ++i)
+    {
+        if (!fits[i].reachedAccuracy)
+        {
+            names += (count++ ? " " : "") + chesil::grainName(i);
+        }
+    }
+    if (count)
+    {
+        Info<< "Note: " << count << " grains did not reach the wanted accuracy"
+            << " with the segments allowed: " << names.c_str() << endl;
+    }
+}
+
+
 static void printSummary
 (
     const chesil::ImageGrains& image,
@@ -148,6 +192,7 @@ static void printSummary
     printMedian("Accuracy to silhouette    ", fits, &chesil::GrainFit::accuracySilhouette);
     printMedian("Accuracy to convex hull   ", fits, &chesil::GrainFit::accuracyHull);
     printMedian("Milliseconds a grain      ", fits, &chesil::GrainFit::milliseconds);
+    printUnreached(fits);
 }
 
 
@@ -157,8 +202,7 @@ static void run(const argList& args)
     const fileName path = args.get<fileName>(1);
 
     const chesil::ImageSettings imageSettings = readImageSettings(args);
-    chesil::FitSettings fitSettings;
-    readNumber(args, "segments", fitSettings.segments);
+    chesil::FitSettings fitSettings = readFitSettings(args);
     readNumber(args, "scale", fitSettings.scale);
 
     const chesil::ImageGrains image = chesil::readGrains(path, imageSettings);

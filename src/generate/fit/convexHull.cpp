@@ -143,4 +143,18 @@ double polygonArea(const std::vector<Vector2>& vertices) { return polygonMoments
 
 Vector2 polygonCentroid(const std::vector<Vector2>& vertices) { return polygonMoments(vertices).centroid(); }
 
+Eigen::Matrix2d polygonCovariance(const std::vector<Vector2>& vertices)
+{
+    const Vector2 centroid = polygonCentroid(vertices);
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+        // Of the triangle between the centroid, a and b: twice its area / 24 times these squares
+        const Vector2 a = vertices[i] - centroid;
+        const Vector2 b = vertices[(i + 1) % vertices.size()] - centroid;
+        sum += cross(a, b) / 24 * (a * a.transpose() + b * b.transpose() + (a + b) * (a + b).transpose());
+    }
+    return sum / polygonArea(vertices);
+}
+
 } // namespace chesil

@@ -32,4 +32,11 @@ double polygonArea(const std::vector<Vector2>& vertices);
 /// Centroid of a polygon of positive area.
 Vector2 polygonCentroid(const std::vector<Vector2>& vertices);
 
+/// Integral of x x^T over a polygon of positive area, x from its centroid, by its area.
+Eigen::Matrix2d polygonCovariance(const std::vector<Vector2>& vertices);
+
+/// The polygon of the largest area with (at most) `count` of a convex polygon's vertices. Work: count times
+/// the cube of the number of vertices.
+std::vector<Vector2> largestInscribed(const std::vector<Vector2>& polygon, int count);
+
 } // namespace chesil

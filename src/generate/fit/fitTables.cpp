@@ -35,15 +35,17 @@ void writeFitReport(const std::string& path, const std::vector<GrainFit>& fits)
                [](std::ostream& row, const GrainFit& fit)
                {
                    row << fit.pixels << ',' << fit.accuracySilhouette << ',' << fit.accuracyHull << ','
-                       << fit.grain.segments().size() << ',' << fit.milliseconds;
+                       << fit.segments << ',' << fit.milliseconds;
                });
 }
 
 void writePlacement(const std::string& path, const std::vector<GrainFit>& fits)
 {
-    writeTable(path, "id,x,y", fits,
-               [](std::ostream& row, const GrainFit& fit)
-               { row << std::setprecision(17) << fit.centroid.x() << ',' << fit.centroid.y(); });
+    writeTable(path, "id,x,y,angle", fits,
+               [](std::ostream& row, const GrainFit& fit) {
+                   row << std::setprecision(17) << fit.centroid.x() << ',' << fit.centroid.y() << ','
+                       << fit.angle;
+               });
 }
 
 } // namespace chesil

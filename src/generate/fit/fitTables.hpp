@@ -12,9 +12,9 @@ namespace chesil
 /// file cannot be written.
 void writeFitReport(const std::string& path, const std::vector<GrainFit>& fits);
 
-/// Where each grain lay in the image: id,x,y, the centroid from the image's lower left corner, y up, in the
-/// unit of the grains. With the template of the same name it gives the outline in the image. Throws
-/// SetupError if the file cannot be written.
+/// Where each grain lay in the image: id,x,y,angle: the centroid from the image's lower left corner, y up, in
+/// the unit of the grains, and GrainFit::angle. With the template of the same name it gives the outline in
+/// the image. Throws SetupError if the file cannot be written.
 void writePlacement(const std::string& path, const std::vector<GrainFit>& fits);
 
 } // namespace chesil

@@ -1,19 +1,27 @@
 #pragma once
 
-#include "core/shapes/polyBezier.hpp"
+#include "core/shapes/shape.hpp"
+#include "generate/fit/jointPlan.hpp"
+#include "generate/fit/swarmFit.hpp"
 #include "generate/image/silhouetteReader.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace chesil
 {
 
-/// A polybezier grain fitted to a silhouette, and how well it fits.
+/// A grain fitted to a silhouette, and how well it fits.
 struct GrainFit
 {
     /// About its centroid, turned as in the image, x to the right, y up; unit: pixel times the scale given.
-    PolyBezier grain;
+    Shape grain;
+    /// What an ellipse, whose half-axes are along x and y, has to be turned by counter-clockwise [rad] to be
+    /// as in the image; 0 for the other shapes.
+    double angle = 0;
+    /// Bezier segments or sides; 1 of an ellipse.
+    int segments = 0;
     /// The centroid in the image's frame (origin at its lower left corner, y up), in the same unit.
     Vector2 centroid = Vector2::Zero();
     int pixels = 0;
@@ -22,17 +30,52 @@ struct GrainFit
     double accuracyHull = 0;
     /// From silhouette to grain, measuring of the accuracy not included.
     double milliseconds = 0;
+    /// False if an accuracy was wanted and the most segments allowed did not reach it.
+    bool reachedAccuracy = true;
+};
+
+/// Where the joints of the direct solver stand: see JointPlan.
+enum class JointSpacing
+{
+    equal,
+    adapted
+};
+
+enum class FitMethod
+{
+    /// fitWithCorners: all offsets, joints and handles at once, by Gauss-Newton.
+    direct,
+    /// fitBySwarm: Lai & Huang's particle swarm.
+    swarm
+};
+
+enum class GrainModel
+{
+    polyBezier,
+    /// The better of fitPolygon and largestInscribed, enlarged to the hull's area.
+    polygon,
+    /// With the second moments of the convex outline.
+    ellipse
 };
 
 struct FitSettings
 {
-    /// Of each grain; see fewestSegments and mostSegments.
+    /// Of each grain, or sides of a polygon; see fewestSegments and mostSegments. With `accuracy`: the most
+    /// allowed.
     int segments = 10;
     /// Size of a pixel, in the unit that the grains shall have.
     double scale = 1;
+    GrainModel model = GrainModel::polyBezier;
+    FitMethod method = FitMethod::direct;
+    /// Of the direct method; the swarm's joints are equally spaced.
+    JointSpacing joints = JointSpacing::adapted;
+    SwarmSettings swarm;
+    /// Wanted accuracy against the convex hull: segments are added until it is reached. Adapted joints are
+    /// added where the error is, else the fit is repeated with one segment more. No matter for an ellipse.
+    std::optional<double> accuracy;
 };
 
-/// convexOutline of the silhouette, then fitSmoothOutline. Throws ValueError as the latter and PolyBezier do.
+/// Fits a grain to the convexOutline of the silhouette. Throws ValueError as the method and the shape do.
 GrainFit fitGrain(const Silhouette& silhouette, const FitSettings& settings = {});
 
 /// All grains of an image, in its order. Throws SetupError that names `imagePath` and the setting that is out

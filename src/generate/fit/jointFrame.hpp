@@ -2,6 +2,7 @@
 
 #include "core/base/vector.hpp"
 #include "core/geometry/cubicBezier.hpp"
+#include "generate/fit/jointPlan.hpp"
 
 #include <Eigen/Dense>
 
@@ -23,6 +24,11 @@ namespace chesil
 /// Q1, the crossing R with line i+1. The outline is convex and G1 exactly if the four gaps between them are
 /// positive. Control points and gaps are linear in z, so that fitting is linear least squares under
 /// linear inequalities. Replaces x1, x2 of Lai & Huang, section 4, where the joints stand still.
+///
+/// A corner is a joint with a range of normals, from n_b of the segment that ends here to n_a of the one that
+/// starts here. It has two tangent lines, both through the corner: Q2 stands on the one, Q1 on the other;
+/// `offset` and `along` are its coordinates along the normal half way between and across. A straight segment
+/// between two corners has no handles: their entries and gaps are not used, and zero.
 class JointFrame
 {
 public:
@@ -35,19 +41,27 @@ public:
         after
     };
 
-    /// `angles` [rad] of the normals, rising, over one turn, neighbours less than pi apart.
-    explicit JointFrame(const std::vector<double>& angles);
+    /// Normals rising over one turn, neighbours less than pi apart.
+    explicit JointFrame(const std::vector<PlannedJoint>& joints);
 
-    int joints() const { return static_cast<int>(normals_.size()); }
-    const Vector2& normal(int i) const { return normals_[static_cast<std::size_t>(i)]; }
-    const Vector2& tangent(int i) const { return tangents_[static_cast<std::size_t>(i)]; }
+    int joints() const { return static_cast<int>(axes_.size()); }
+    /// Half way between the normals before and after the joint.
+    const Vector2& normal(int i) const { return axes(i).normal; }
+    const Vector2& tangent(int i) const { return axes(i).tangent; }
+    bool isCorner(int i) const { return axes(i).isCorner; }
+    /// The segment that starts at the joint.
+    bool isStraight(int i) const { return axes(i).straightAfter; }
     int next(int i) const { return i + 1 == joints() ? 0 : i + 1; }
 
     /// The 4 N gaps of z are gapMatrix() * z, in the order told above.
     const Eigen::MatrixXd& gapMatrix() const { return gapMatrix_; }
 
-    /// Length of tangent line i between its two crossings.
-    double edgeLength(const Eigen::VectorXd& z, int i) const;
+    /// Gap `part` (0 to 3) of joint i is used.
+    bool hasGap(int i, int part) const { return !isStraight(part < 2 ? previous(i) : i); }
+
+    /// Lengths of tangent line i from the crossing before to the joint and from there to the crossing behind;
+    /// infinite beside a straight segment.
+    std::array<double, 2> edgeLengths(const Eigen::VectorXd& z, int i) const;
 
     /// Segment i, from joint i to the next. Control points beside a joint are the joint plus a length times
     /// the unit tangent, which keeps the two tangents of a joint equal to rounding.
@@ -56,19 +70,29 @@ public:
     /// d(direction . B_i(t)) / dz: its 8 entries that are not zero, for joint i and for the next one.
     std::array<double, 2 * perJoint> pointGradient(int i, double t, const Vector2& direction) const;
 
-    /// z of tangent lines at these distances from the origin; joints at along = 0, no handles.
-    Eigen::VectorXd tangentLines(const std::vector<double>& offsets) const;
+    /// z of joints at these points, one a joint, without handles.
+    Eigen::VectorXd atPoints(const std::vector<Vector2>& points) const;
 
-    /// z of the outline with tangent lines at these distances, whose edges must have positive lengths, with
-    /// each joint as near to `wantedJoints` as a quarter of its edge allows, and handles of half the way to
-    /// the crossings.
-    Eigen::VectorXd start(const std::vector<double>& offsets, const std::vector<Vector2>& wantedJoints) const;
+    /// z of the outline whose tangent lines and corners are those of `lines`, with pieces of positive lengths
+    /// between the crossings, each smooth joint as near to its place in `lines` as a quarter of its piece
+    /// allows, and handles of half the way to the crossings.
+    Eigen::VectorXd withHandles(const Eigen::VectorXd& lines) const;
 
 private:
+    struct Axes
+    {
+        Vector2 normal, normalBefore, normalAfter;
+        Vector2 tangent, tangentBefore, tangentAfter;
+        bool isCorner, straightAfter;
+    };
+
+    int previous(int i) const { return i == 0 ? joints() - 1 : i - 1; }
+    const Axes& axes(int i) const { return axes_[static_cast<std::size_t>(i)]; }
+    Eigen::RowVectorXd coordinate(int i, const Vector2& direction) const;
+    void addGaps(int i);
     Vector2 joint(const Eigen::VectorXd& z, int i) const;
 
-    std::vector<Vector2> normals_;
-    std::vector<Vector2> tangents_;
+    std::vector<Axes> axes_;
     Eigen::MatrixXd gapMatrix_;
 };
 

@@ -1,5 +1,6 @@
 #include "generate/fit/outlineProblem.hpp"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -52,20 +53,50 @@ double OutlineProblem::value(const Eigen::VectorXd& z, const std::vector<double>
     {
         return std::numeric_limits<double>::infinity();
     }
-    double sum = 0;
-    std::size_t sample = 0;
+    double sum = meanSquare(z, weights);
     for (int i = 0; i < frame_.joints(); ++i)
     {
         const double error = supportError(z, i);
         sum += supportShare() * error * error;
+    }
+    return sum / 2 - barrier * gaps.log().sum();
+}
+
+double OutlineProblem::distance(const Eigen::VectorXd& z) const
+{
+    return std::sqrt(meanSquare(z, sampleWeights(z)));
+}
+
+double OutlineProblem::meanSquare(const Eigen::VectorXd& z, const std::vector<double>& weights) const
+{
+    double sum = 0;
+    std::size_t sample = 0;
+    for (int i = 0; i < frame_.joints(); ++i)
+    {
         const CubicBezier segment = frame_.segment(z, i);
         for (int k = 0; k < samples; ++k, ++sample)
         {
-            const double distance = lines_.distance(segment.at(parameter(k))).value;
-            sum += weights[sample] * distance * distance;
+            const double away = lines_.distance(segment.at(parameter(k))).value;
+            sum += weights[sample] * away * away;
         }
     }
-    return sum / 2 - barrier * gaps.log().sum();
+    return sum;
+}
+
+std::vector<double> OutlineProblem::segmentErrors(const Eigen::VectorXd& z) const
+{
+    std::vector<double> errors;
+    for (int i = 0; i < frame_.joints(); ++i)
+    {
+        const CubicBezier segment = frame_.segment(z, i);
+        errors.push_back(0);
+        for (int k = 0; k < samples; ++k)
+        {
+            const double away = lines_.distance(segment.at(parameter(k))).value;
+            errors.back() += std::abs(away) * segment.derivative(parameter(k)).norm() / samples;
+        }
+    }
+    return errors;
 }
 
 Eigen::VectorXd OutlineProblem::step(const Eigen::VectorXd& z, const std::vector<double>& weights,
@@ -78,6 +109,9 @@ Eigen::VectorXd OutlineProblem::step(const Eigen::VectorXd& z, const std::vector
     Eigen::VectorXd gradient = -barrier * gapMatrix.transpose() * inverseGaps.matrix();
     addDistances(z, weights, hessian, gradient);
     addSupports(z, hessian, gradient);
+    // A corner on a straight side may stand anywhere on it, and a straight segment does not use its handles.
+    constexpr double damping = 1e-9;
+    hessian.diagonal().array() += damping;
     return hessian.ldlt().solve(-gradient);
 }
 

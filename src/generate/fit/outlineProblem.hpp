@@ -26,6 +26,15 @@ public:
     /// Share of the perimeter that each sample of the outline stands for, in the outline's order.
     std::vector<double> sampleWeights(const Eigen::VectorXd& z) const;
 
+    /// All gaps are above their least ones.
+    bool allows(const Eigen::VectorXd& z) const { return spareGaps(z).minCoeff() > 0; }
+
+    /// Root of the mean squared distance of the outline from the polygon.
+    double distance(const Eigen::VectorXd& z) const;
+
+    /// Integral of the distance's size along each segment.
+    std::vector<double> segmentErrors(const Eigen::VectorXd& z) const;
+
     /// Infinite if a gap is not above its least one.
     double value(const Eigen::VectorXd& z, const std::vector<double>& weights, double barrier) const;
 
@@ -37,6 +46,7 @@ public:
 
 private:
     Eigen::ArrayXd spareGaps(const Eigen::VectorXd& z) const;
+    double meanSquare(const Eigen::VectorXd& z, const std::vector<double>& weights) const;
     double supportError(const Eigen::VectorXd& z, int i) const;
     double supportShare() const;
 

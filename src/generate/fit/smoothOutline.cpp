@@ -1,12 +1,14 @@
 #include "generate/fit/smoothOutline.hpp"
 
 #include "core/base/setupError.hpp"
+#include "core/base/tolerances.hpp"
 #include "generate/fit/convexHull.hpp"
 #include "generate/fit/outlineProblem.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace chesil
 {
@@ -15,8 +17,8 @@ namespace
 {
 
 /// Least length of a handle, in units of the polygon's furthest vertex from its centroid: the rounding of
-/// coordinates of that size, 1e-16, then turns a tangent by 1e-13.
-constexpr double leastHandle = 2e-3;
+/// coordinates of that size, 1e-16, then turns a tangent by some 1e-13.
+constexpr double leastHandle = 1e-3;
 
 /// Least gap between a handle's end and the crossing of the tangent lines, in the same unit: two such gaps
 /// hold the shortest control edge Q1 Q2, whose direction may err by tolerances::convexity.
@@ -33,9 +35,11 @@ struct UnitPolygon
         }
         for (const Vector2& vertex : polygon)
         {
-            vertices.push_back((vertex - centre) / radius);
+            vertices.push_back(inUnits(vertex));
         }
     }
+
+    Vector2 inUnits(const Vector2& point) const { return (point - centre) / radius; }
 
     const Vector2& support(const Vector2& direction) const
     {
@@ -49,52 +53,95 @@ struct UnitPolygon
     std::vector<Vector2> vertices;
 };
 
-std::vector<double> equalAngles(int count)
+/// The ellipse with the second moments of a polygon: a smooth body as slender.
+class InertiaEllipse
 {
-    std::vector<double> angles;
-    for (int i = 0; i < count; ++i)
-    {
-        angles.push_back(2 * M_PI * i / count);
-    }
-    return angles;
-}
+public:
+    /// Of an ellipse, the covariance is a quarter of the squared half-axes.
+    explicit InertiaEllipse(const std::vector<Vector2>& polygon) : squares_(4 * polygonCovariance(polygon)) {}
 
-/// The smallest share of the unit circle that has to be mixed into the outline `sharp` for each tangent
-/// line to hold its points with room to spare. Where a corner of the polygon is the support point of
-/// several directions, the lines' pieces between their crossings vanish; those of the circle are long.
-double circleShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const Eigen::VectorXd& circle)
+    /// Its support point.
+    Vector2 point(const Vector2& normal) const
+    {
+        const Vector2 image = squares_ * normal;
+        return image / std::sqrt(normal.dot(image));
+    }
+
+private:
+    Eigen::Matrix2d squares_;
+};
+
+/// The smallest share of the ellipse that has to be mixed into the outline `sharp` for each tangent line to
+/// hold its points with room to spare. Where a corner of the polygon is the support point of several
+/// directions, the lines' pieces between their crossings vanish; those of the ellipse are long.
+double ellipseShare(const JointFrame& frame, const Eigen::VectorXd& sharp, const Eigen::VectorXd& ellipse)
 {
-    // Of a piece, start() gives an eighth at least to each gap.
+    // Of a piece, withHandles() gives an eighth at least to each gap.
     constexpr double wanted = 12 * leastHandle;
     double share = 0;
+    const auto need = [&](double length, double wantedLength, double ofEllipse)
+    {
+        if (length < wantedLength && ofEllipse > length)
+        {
+            share = std::max(share, std::min(1.0, (wantedLength - length) / (ofEllipse - length)));
+        }
+    };
     for (int i = 0; i < frame.joints(); ++i)
     {
-        const double length = frame.edgeLength(sharp, i);
-        if (length < wanted)
+        const auto length = frame.edgeLengths(sharp, i);
+        const auto ofEllipse = frame.edgeLengths(ellipse, i);
+        if (frame.isCorner(i))
         {
-            share = std::max(share, (wanted - length) / (frame.edgeLength(circle, i) - length));
+            need(length[0], wanted / 2, ofEllipse[0]);
+            need(length[1], wanted / 2, ofEllipse[1]);
+        }
+        else
+        {
+            need(length[0] + length[1], wanted, ofEllipse[0] + ofEllipse[1]);
         }
     }
     return share;
 }
 
-/// Joints at the polygon's support points, as far as corners allow.
-Eigen::VectorXd startAtSupportPoints(const JointFrame& frame, const std::vector<Vector2>& supports,
-                                     const std::vector<double>& supportValues)
+/// Joints at the polygon's support points, as far as corners allow; around them where even the ellipse has
+/// too sharp a bend for so many of them.
+Eigen::VectorXd startAtSupportPoints(const JointFrame& frame, const OutlineProblem& problem,
+                                     const std::vector<Vector2>& supports, const InertiaEllipse& ellipse)
 {
-    const std::vector<double> ones(supportValues.size(), 1.0);
-    const double share = circleShare(frame, frame.tangentLines(supportValues), frame.tangentLines(ones));
-    std::vector<double> offsets;
-    for (const double value : supportValues)
+    const Eigen::VectorXd sharp = frame.atPoints(supports);
+    Eigen::VectorXd start;
+    for (const double rim : {0.0, 0.02, 0.1, 0.5})
     {
-        offsets.push_back((1 - share) * value + share);
+        std::vector<Vector2> ofEllipse;
+        for (int i = 0; i < frame.joints(); ++i)
+        {
+            ofEllipse.push_back(ellipse.point(frame.normal(i)) + rim * frame.normal(i));
+        }
+        const Eigen::VectorXd round = frame.atPoints(ofEllipse);
+        const double share = ellipseShare(frame, sharp, round);
+        start = frame.withHandles((1 - share) * sharp + share * round);
+        if (problem.allows(start))
+        {
+            break;
+        }
     }
-    return frame.start(offsets, supports);
+    return start;
 }
 
-Eigen::ArrayXd leastGaps(int joints)
+/// A gap that is not used stays zero.
+Eigen::ArrayXd leastGaps(const JointFrame& frame)
 {
-    return Eigen::Array4d(leastMargin, leastHandle, leastHandle, leastMargin).replicate(joints, 1);
+    const std::array<double, 4> least{leastMargin, leastHandle, leastHandle, leastMargin};
+    Eigen::ArrayXd gaps(JointFrame::perJoint * frame.joints());
+    for (int i = 0; i < frame.joints(); ++i)
+    {
+        for (int part = 0; part < JointFrame::perJoint; ++part)
+        {
+            gaps[JointFrame::perJoint * i + part] =
+                frame.hasGap(i, part) ? least[static_cast<std::size_t>(part)] : -1;
+        }
+    }
+    return gaps;
 }
 
 /// Newton steps down the barrier until it no longer shows.
@@ -123,7 +170,54 @@ void solve(const OutlineProblem& problem, Eigen::VectorXd& z)
     }
 }
 
-void check(const std::vector<Vector2>& polygon, int segments)
+/// Where a corner's normals were given, a straight side beside it may have turned beyond them.
+bool cornersTurnOutward(const std::vector<CubicBezier>& segments)
+{
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+        const Vector2 before = segments[i].endTangent();
+        const Vector2 after = segments[(i + 1) % segments.size()].startTangent();
+        if (cross(before, after) < -tolerances::convexity * before.norm() * after.norm())
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::optional<OutlineFit> solved(const std::vector<Vector2>& polygon, const JointPlan& plan)
+{
+    const UnitPolygon unit(polygon);
+    const JointFrame frame(plan.joints());
+    std::vector<Vector2> supports;
+    std::vector<double> supportValues;
+    for (int i = 0; i < frame.joints(); ++i)
+    {
+        const PlannedJoint& joint = plan.joints()[static_cast<std::size_t>(i)];
+        supports.push_back(joint.isCorner() ? unit.inUnits(joint.corner) : unit.support(frame.normal(i)));
+        supportValues.push_back(supports.back().dot(frame.normal(i)));
+    }
+
+    const EdgeLines lines(unit.vertices);
+    const OutlineProblem problem(frame, lines, supportValues, leastGaps(frame));
+    Eigen::VectorXd z = startAtSupportPoints(frame, problem, supports, InertiaEllipse(unit.vertices));
+    if (!problem.allows(z))
+    {
+        return std::nullopt;
+    }
+    solve(problem, z);
+
+    std::vector<CubicBezier> segments;
+    for (int i = 0; i < frame.joints(); ++i)
+    {
+        segments.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
+    }
+    return OutlineFit{std::move(segments), unit.radius * problem.distance(z), problem.segmentErrors(z)};
+}
+
+} // namespace
+
+void requireFittable(const std::vector<Vector2>& polygon, int segments)
 {
     if (segments < fewestSegments || segments > mostSegments)
     {
@@ -136,31 +230,42 @@ void check(const std::vector<Vector2>& polygon, int segments)
     }
 }
 
-} // namespace
-
 std::vector<CubicBezier> fitSmoothOutline(const std::vector<Vector2>& polygon, int segments)
 {
-    check(polygon, segments);
-    const UnitPolygon unit(polygon);
-    const JointFrame frame(equalAngles(segments));
-    std::vector<Vector2> supports;
-    std::vector<double> supportValues;
-    for (int i = 0; i < frame.joints(); ++i)
-    {
-        supports.push_back(unit.support(frame.normal(i)));
-        supportValues.push_back(supports.back().dot(frame.normal(i)));
-    }
+    requireFittable(polygon, segments);
+    return fitWithoutCorners(polygon, JointPlan::adapted(polygon, segments, 0)).segments;
+}
 
-    Eigen::VectorXd z = startAtSupportPoints(frame, supports, supportValues);
-    const EdgeLines lines(unit.vertices);
-    solve(OutlineProblem(frame, lines, supportValues, leastGaps(segments)), z);
+std::optional<OutlineFit> fitAtJoints(const std::vector<Vector2>& polygon, const JointPlan& plan)
+{
+    std::optional<OutlineFit> fit = solved(polygon, plan);
+    return fit && cornersTurnOutward(fit->segments) ? fit : std::nullopt;
+}
 
-    std::vector<CubicBezier> outline;
-    for (int i = 0; i < frame.joints(); ++i)
+OutlineFit fitWithoutCorners(const std::vector<Vector2>& polygon, JointPlan plan)
+{
+    for (const double share : {0.0, 0.05, 0.15, 0.4})
     {
-        outline.push_back(frame.segment(z, i).transformed(unit.centre, 1, 0, unit.radius));
+        plan.even(share);
+        if (const std::optional<OutlineFit> fit = fitAtJoints(polygon, plan))
+        {
+            return *fit;
+        }
     }
-    return outline;
+    plan.even(1);
+    return fitAtJoints(polygon, plan).value();
+}
+
+std::vector<Vector2> fitPolygon(const std::vector<Vector2>& polygon, int sides)
+{
+    requireFittable(polygon, sides);
+    const OutlineFit fit = solved(polygon, JointPlan::polygon(polygon, sides)).value();
+    std::vector<Vector2> vertices;
+    for (const CubicBezier& side : fit.segments)
+    {
+        vertices.push_back(side.start());
+    }
+    return convexHull(vertices);
 }
 
 } // namespace chesil

@@ -10,6 +10,16 @@ using namespace chesil;
 namespace
 {
 
+JointFrame smoothFrame(const std::vector<double>& angles)
+{
+    std::vector<PlannedJoint> joints;
+    for (const double angle : angles)
+    {
+        joints.push_back({angle, angle, Vector2::Zero(), false});
+    }
+    return JointFrame(joints);
+}
+
 /// An outline around a circle of radius 1, joints at the middle of their edges.
 Eigen::VectorXd circumscribed(const JointFrame& frame)
 {
@@ -18,7 +28,7 @@ Eigen::VectorXd circumscribed(const JointFrame& frame)
     {
         joints.push_back(frame.normal(i));
     }
-    return frame.start(std::vector<double>(joints.size(), 1.0), joints);
+    return frame.withHandles(frame.atPoints(joints));
 }
 
 } // namespace
@@ -32,11 +42,14 @@ TEST(JointFrame, edgesOfARegularPolygon)
         {
             angles.push_back(2 * M_PI * i / count);
         }
-        const JointFrame frame(angles);
+        const JointFrame frame = smoothFrame(angles);
         const Eigen::VectorXd z = circumscribed(frame);
         for (int i = 0; i < count; ++i)
         {
-            EXPECT_NEAR(frame.edgeLength(z, i), 2 * std::tan(M_PI / count), 1e-14);
+            for (const double length : frame.edgeLengths(z, i))
+            {
+                EXPECT_NEAR(length, std::tan(M_PI / count), 1e-14);
+            }
         }
     }
 }
@@ -47,7 +60,7 @@ TEST(JointFrame, positiveGapsMakeAConvexSmoothOutline)
     int positive = 0;
     for (int trial = 0; trial < 2000; ++trial)
     {
-        const JointFrame frame(test::randomNormalAngles(random.integer(3, 12), random));
+        const JointFrame frame = smoothFrame(test::randomNormalAngles(random.integer(3, 12), random));
         Eigen::VectorXd z = circumscribed(frame);
         for (Eigen::Index k = 0; k < z.size(); ++k)
         {
@@ -76,7 +89,7 @@ TEST(JointFrame, positiveGapsMakeAConvexSmoothOutline)
 TEST(JointFrame, gradientIsThatOfThePoint)
 {
     test::RandomSource random(22);
-    const JointFrame frame(test::randomNormalAngles(7, random));
+    const JointFrame frame = smoothFrame(test::randomNormalAngles(7, random));
     Eigen::VectorXd z = circumscribed(frame);
     constexpr double change = 1e-3;
     for (int i = 0; i < frame.joints(); ++i)
