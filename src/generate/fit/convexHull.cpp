@@ -2,7 +2,7 @@
 
 #include "core/geometry/areaMoments.hpp"
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
 
 #include <cmath>
@@ -101,6 +101,31 @@ std::vector<Vector2> withoutTinyEdges(const std::vector<Vector2>& polygon)
     return kept;
 }
 
+/// Without vertices that stand out of the chord between their neighbours by less than `tolerance`, counted from the last
+/// one kept; no larger than it was.
+std::vector<Vector2> simplified(const std::vector<Vector2>& polygon, double tolerance)
+{
+    std::vector<Vector2> kept{polygon.front()};
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < polygon.size(); ++i)
+    {
+        const Vector2 chord = polygon[(i + 1) % polygon.size()] - polygon[last];
+        const auto standsOut = [&](std::size_t k)
+        { return cross(polygon[k] - polygon[last], chord) > tolerance * chord.norm(); };
+        bool needed = false;
+        for (std::size_t k = last + 1; k <= i && !needed; ++k)
+        {
+            needed = standsOut(k);
+        }
+        if (needed)
+        {
+            kept.push_back(polygon[i]);
+            last = i;
+        }
+    }
+    return kept;
+}
+
 } // namespace
 
 std::vector<Vector2> convexOutline(const Silhouette& silhouette)
@@ -118,9 +143,16 @@ std::vector<Vector2> convexOutline(const Silhouette& silhouette)
     return withoutTinyEdges(outline);
 }
 
+std::vector<Vector2> finestHull(const Silhouette& silhouette)
+{
+    // A fifth of what a contour of grey values errs by (tests/unit/generate/image/testSubPixelOutline.cpp).
+    constexpr double tolerance = 0.02;
+    return silhouette.outline().empty() ? convexOutline(silhouette) : simplified(convexHull(silhouette.outline()), tolerance);
+}
+
 std::vector<Vector2> convexHull(const std::vector<Vector2>& points)
 {
-    using Kernel = CGAL::Simple_cartesian<double>;
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     std::vector<Kernel::Point_2> given;
     given.reserve(points.size());
     for (const Vector2& point : points)

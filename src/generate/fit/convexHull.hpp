@@ -22,8 +22,10 @@ namespace chesil
 /// wide gives a strip one pixel wide.
 std::vector<Vector2> convexOutline(const Silhouette& silhouette);
 
-/// Vertices of the convex hull, counter-clockwise, no three of them on a line. Exact for coordinates that are
-/// multiples of 1/2 below 2^20 (pixel centres, edge midpoints, corners).
+/// The hull of the silhouette's outline() where the image's grey values tell one, else convexOutline.
+std::vector<Vector2> finestHull(const Silhouette& silhouette);
+
+/// Vertices of the convex hull, counter-clockwise, no three of them on a line.
 std::vector<Vector2> convexHull(const std::vector<Vector2>& points);
 
 /// Area of a polygon, positive if counter-clockwise.

@@ -37,13 +37,13 @@ Segments transformed(Segments segments, const Vector2& translation, double scale
     return segments;
 }
 
-/// A silhouette's convex outline about its own centre, since rounding grows with the distance from the
+/// A silhouette's finestHull about its own centre, since rounding grows with the distance from the
 /// origin.
 struct CentredHull
 {
     explicit CentredHull(const Silhouette& silhouetteFitted) : silhouette(silhouetteFitted)
     {
-        const std::vector<Vector2> hull = convexOutline(silhouette);
+        const std::vector<Vector2> hull = finestHull(silhouette);
         centre = polygonCentroid(hull);
         vertices = movedBy(hull, -centre);
     }

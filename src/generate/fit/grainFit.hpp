@@ -75,7 +75,7 @@ struct FitSettings
     std::optional<double> accuracy;
 };
 
-/// Fits a grain to the convexOutline of the silhouette. Throws ValueError as the method and the shape do.
+/// Fits a grain to the finestHull of the silhouette. Throws ValueError as the method and the shape do.
 GrainFit fitGrain(const Silhouette& silhouette, const FitSettings& settings = {});
 
 /// All grains of an image, in its order. Throws SetupError that names `imagePath` and the setting that is out
