@@ -81,7 +81,7 @@ def draw(options):
         [outline.transformed(Affine2D().scale(toAxes)) for outline in outlines],
         facecolor=style.OUTLINE + "18", edgecolor=style.OUTLINE, linewidth=1.0,
     ))
-    axes.set_title(f"{len(outlines)} fitted grains")
+    axes.set_title(f"{len(outlines)} fitted grain" + "s" * (len(outlines) != 1))
     style.placeLengthAxes(axes, unit)
     style.scaleBar(axes, unit)
     return figure
