@@ -85,7 +85,7 @@ public:
 private:
     static std::vector<std::pair<std::string, std::string>> comments(const std::string& which)
     {
-        return {{"title", "fit of 20 shapes of sphericity 0.3 to 0.9 and roundness 0.1 to 0.9"},
+        return {{"title", "Fit of 20 shapes of sphericity 0.3 to 0.9 and roundness 0.1 to 0.9"},
                 {"error", which + " share of wrong pixels at 400 pixels across [-]"},
                 {"time", "time to fit one grain [s]"},
                 {"knob", "segments or sides; of a swarm, iterations (at 10 segments)"}};
