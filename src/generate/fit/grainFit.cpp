@@ -2,7 +2,7 @@
 
 #include "core/base/setupError.hpp"
 #include "generate/fit/adaptedFit.hpp"
-#include "generate/fit/convexHull.hpp"
+#include "generate/image/convexHull.hpp"
 #include "generate/fit/pixelRegion.hpp"
 
 #include <chrono>
@@ -250,7 +250,5 @@ std::vector<GrainFit> fitGrains(const std::string& imagePath, const ImageGrains&
     }
     return fits;
 }
-
-std::string grainName(std::size_t index) { return "grain" + std::to_string(index + 1); }
 
 } // namespace chesil

@@ -83,7 +83,4 @@ GrainFit fitGrain(const Silhouette& silhouette, const FitSettings& settings = {}
 std::vector<GrainFit> fitGrains(const std::string& imagePath, const ImageGrains& image,
                                 const FitSettings& settings = {});
 
-/// The name of grain `index` (from 0) in template files, tables and messages: "grain1", "grain2", ...
-std::string grainName(std::size_t index);
-
 } // namespace chesil

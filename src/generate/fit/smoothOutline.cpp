@@ -2,7 +2,7 @@
 
 #include "core/base/setupError.hpp"
 #include "core/base/tolerances.hpp"
-#include "generate/fit/convexHull.hpp"
+#include "generate/image/convexHull.hpp"
 #include "generate/fit/outlineProblem.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "generate/image/imageSummary.hpp"
 
 #include "core/base/setupError.hpp"
-#include "generate/fit/grainFit.hpp"
 #include "generate/image/greyGrains.hpp"
 #include "generate/image/touchingGrains.hpp"
 

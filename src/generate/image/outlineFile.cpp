@@ -1,7 +1,7 @@
 #include "generate/image/outlineFile.hpp"
 
 #include "core/base/setupError.hpp"
-#include "generate/fit/convexHull.hpp"
+#include "generate/image/convexHull.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>

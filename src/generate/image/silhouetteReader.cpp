@@ -51,4 +51,6 @@ ImageGrains readGrains(const std::string& path, const ImageSettings& settings)
     return settings.labels ? readLabelGrains(path, settings) : readGreyGrains(path, settings);
 }
 
+std::string grainName(std::size_t index) { return "grain" + std::to_string(index + 1); }
+
 } // namespace chesil

@@ -80,4 +80,7 @@ struct ImageGrains
 /// of range or does not go with the kind of file, or if no whole grain is found.
 ImageGrains readGrains(const std::string& path, const ImageSettings& settings = {});
 
+/// The name of grain `index` (from 0) in template files, tables and messages: "grain1", "grain2", ...
+std::string grainName(std::size_t index);
+
 } // namespace chesil

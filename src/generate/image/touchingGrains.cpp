@@ -1,6 +1,6 @@
 #include "generate/image/touchingGrains.hpp"
 
-#include "generate/fit/convexHull.hpp"
+#include "generate/image/convexHull.hpp"
 #include "generate/image/leptonicaHandles.hpp"
 
 #include <algorithm>

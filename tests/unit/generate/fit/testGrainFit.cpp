@@ -34,11 +34,12 @@ double largestSmoothAngle(const PolyBezier& grain)
     return largest;
 }
 
-/// Whether the support points of 10^4 normals go round counter-clockwise, none of them further out than
-/// another normal's support line.
-bool isConvexForNormals(const PolyBezier& grain)
+constexpr int normals = 10000;
+
+/// For how many of these normals, one after the other, the support points go round counter-clockwise, none of them further
+/// out than the support line of the one before.
+int convexNormals(const PolyBezier& grain)
 {
-    constexpr int normals = 10000;
     Vector2 before = grain.support(Vector2(1, 0));
     for (int i = 1; i <= normals; ++i)
     {
@@ -48,11 +49,11 @@ bool isConvexForNormals(const PolyBezier& grain)
         if (perpendicular(normal).dot(point - before) < -1e-12 * grain.boundingRadius() ||
             normal.dot(before - point) > 1e-12 * grain.boundingRadius())
         {
-            return false;
+            return i - 1;
         }
         before = point;
     }
-    return true;
+    return normals;
 }
 
 /// A rectangle about the middle of a square picture.
@@ -227,7 +228,7 @@ TEST(GrainFit, chartOfSphericityAndRoundness)
                 least3 = std::min(least3, fit.accuracySilhouette);
                 least10 = segments == 10 ? std::min(least10, fit.accuracySilhouette) : least10;
                 joint = std::max(joint, largestSmoothAngle(polyBezier(fit)));
-                convex = convex && isConvexForNormals(polyBezier(fit));
+                convex = convex && convexNormals(polyBezier(fit)) == normals;
             }
         }
     }
@@ -350,27 +351,37 @@ TEST(GrainFit, realPebblesOfTorreyPines)
     const std::clock_t start = std::clock();
     const ImageGrains image = readGrains(path);
     EXPECT_GT(image.grains.size(), 300u);
-    const std::vector<GrainFit> fits = fitGrains(path, image);
+    std::vector<GrainFit> fits;
+    for (std::size_t i = 0; i < image.grains.size(); ++i)
+    {
+        try
+        {
+            fits.push_back(fitGrain(image.grains[i]));
+        }
+        catch (const ValueError& error)
+        {
+            ADD_FAILURE() << grainName(i) << ": " << error.what();
+        }
+    }
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    ASSERT_EQ(fits.size(), image.grains.size());
 
     std::vector<double> toSilhouette;
     std::vector<double> toHull;
     double joint = 0;
-    bool convex = true;
+    int seen = normals;
     TemplateFile templates;
     for (const GrainFit& fit : fits)
     {
         EXPECT_GE(fit.pixels, 200);
         joint = std::max(joint, largestSmoothAngle(polyBezier(fit)));
-        convex = convex && isConvexForNormals(polyBezier(fit));
+        seen = std::min(seen, convexNormals(polyBezier(fit)));
         templates.grains.push_back({grainName(templates.grains.size()), fit.grain});
         EXPECT_GE(fit.accuracyHull, 0.95);
         toSilhouette.push_back(fit.accuracySilhouette);
         toHull.push_back(fit.accuracyHull);
     }
     EXPECT_LE(joint, tolerances::joint);
-    EXPECT_TRUE(convex);
+    EXPECT_EQ(seen, normals);
     EXPECT_GE(median(toHull), 0.985);
     EXPECT_GE(median(toSilhouette), 0.96);
 
@@ -390,6 +401,6 @@ TEST(GrainFit, realPebblesOfTorreyPines)
     record("pebblesFailed", static_cast<double>(image.grains.size() - fits.size()), "grains");
     record("pebblesSeconds", seconds, "s");
     record("g1Error", joint, "rad");
-    record("convexNormals", convex ? 10000 : 0, "normals");
+    record("convexNormals", seen, "normals");
     record("templateRoundTrip", identical ? 1 : 0, "-");
 }

@@ -3,7 +3,7 @@
 #include "core/base/setupError.hpp"
 #include "core/base/tolerances.hpp"
 #include "core/shapes/polyBezier.hpp"
-#include "generate/fit/convexHull.hpp"
+#include "generate/image/convexHull.hpp"
 #include "generate/fit/grainFit.hpp"
 #include "unit/generate/chartShapes.hpp"
 

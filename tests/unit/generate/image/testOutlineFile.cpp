@@ -1,7 +1,7 @@
 #include "generate/image/outlineFile.hpp"
 
 #include "core/base/setupError.hpp"
-#include "generate/fit/convexHull.hpp"
+#include "generate/image/convexHull.hpp"
 #include "generate/image/silhouetteReader.hpp"
 #include "unit/temporaryFolder.hpp"
 

@@ -1,4 +1,4 @@
-#include "generate/fit/convexHull.hpp"
+#include "generate/image/convexHull.hpp"
 
 #include "core/geometry/areaMoments.hpp"
 
