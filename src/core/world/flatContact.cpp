@@ -33,12 +33,16 @@ const StraightSide* sideFacing(const Shape& shape, const Vector2& normal)
 /// In the order of the contact's normal, which is opposite to the reference's if `flipped`. Places are found relative to
 /// `origin` [m].
 void fill(
-    const std::array<FlatPlace, 2>& found, bool flipped, const Vector2& origin, std::array<ContactGeometry<2>, 2>& places)
+    const std::array<FlatPlace, 2>& found, bool flipped, const Vector2& origin, std::array<FlatGeometry, 2>& places)
 {
+    const double sharing = found[0].depth > 0 && found[1].depth > 0 ? found[0].weight + found[1].weight : 1;
+    const double sign = flipped ? -1 : 1;
     for (std::size_t i = 0; i < 2; ++i)
     {
         const FlatPlace& place = found[flipped ? 1 - i : i];
-        places[i] = {place.depth, flipped ? Vector2(-place.normal) : place.normal, origin + place.point};
+        places[i] = {
+            {place.depth, flipped ? Vector2(-place.normal) : place.normal, origin + place.point},
+            {sharing, place.weight, sign * place.depthPerWay, sign * place.depthPerTurn}};
     }
 }
 
@@ -55,7 +59,7 @@ bool flatContact(
     const Shape& b,
     const Pose<2>& poseB,
     const ContactGeometry<2>& contact,
-    std::array<ContactGeometry<2>, 2>& places)
+    std::array<FlatGeometry, 2>& places)
 {
     const StraightSide* sideA = sideFacing(a, poseA.rotation.applyInverse(contact.normal));
     const StraightSide* sideB = sideFacing(b, poseB.rotation.applyInverse(-contact.normal));
@@ -81,8 +85,8 @@ bool flatContact(
     const Pose<2> offset{incidentPose.position - pose.position, incidentPose.rotation};
     const Vector2 deepest = offset.toWorld(support(ofA ? b : a, offset.rotation.applyInverse(-outward)));
     const ReferenceSide side{pose.rotation.apply(reference.start), outward, 0, (reference.end - reference.start).norm()};
-    fill(
-        flatPlaces(side, offset.toWorld(incident.start), offset.toWorld(incident.end), deepest), !ofA, pose.position, places);
+    const StraightSide opposite{ofA ? normalB : normalA, offset.toWorld(incident.start), offset.toWorld(incident.end)};
+    fill(flatPlaces(side, opposite, deepest), !ofA, pose.position, places);
     return true;
 }
 
@@ -91,7 +95,7 @@ bool flatContact(
     const Pose<2>& pose,
     const PlaneWall<2>& wall,
     const ContactGeometry<2>& contact,
-    std::array<ContactGeometry<2>, 2>& places)
+    std::array<FlatGeometry, 2>& places)
 {
     if (wall.plate)
     {
@@ -105,8 +109,9 @@ bool flatContact(
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Vector2 deepest = contact.point - contact.depth / 2 * wall.normal;
     const ReferenceSide side{contact.point + contact.depth / 2 * wall.normal, wall.normal, -infinity, infinity};
-    fill(
-        flatPlaces(side, pose.toWorld(facing->start), pose.toWorld(facing->end), deepest), true, Vector2::Zero(), places);
+    const StraightSide opposite{
+        pose.rotation.apply(facing->normal), pose.toWorld(facing->start), pose.toWorld(facing->end)};
+    fill(flatPlaces(side, opposite, deepest), true, Vector2::Zero(), places);
     return true;
 }
 

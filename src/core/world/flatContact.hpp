@@ -9,6 +9,24 @@
 namespace chesil
 {
 
+/// How one place of several takes part in a contact. Its depth grows as the first body moves against the second by
+/// weight (d . normal) + d . depthPerWay, d being the way of the contact's point, and by depthPerTurn times the turn about it.
+struct PlaceShare
+{
+    /// Places that share the mass to be damped, each counted by its weight.
+    double sharing = 1;
+    double weight = 1;
+    Vector2 depthPerWay = Vector2::Zero();
+    /// [m/rad].
+    double depthPerTurn = 0;
+};
+
+/// One end of two straight sides that touch, world frame.
+struct FlatGeometry : ContactGeometry<2>
+{
+    PlaceShare share;
+};
+
 /// Whether a shape may touch at two places: it has straight sides.
 bool hasStraightSides(const Shape& shape);
 
@@ -20,7 +38,7 @@ bool flatContact(
     const Shape& b,
     const Pose<2>& poseB,
     const ContactGeometry<2>& contact,
-    std::array<ContactGeometry<2>, 2>& places);
+    std::array<FlatGeometry, 2>& places);
 
 /// The same for a grain and a wall that wallContact has found to overlap.
 bool flatContact(
@@ -28,6 +46,6 @@ bool flatContact(
     const Pose<2>& pose,
     const PlaneWall<2>& wall,
     const ContactGeometry<2>& contact,
-    std::array<ContactGeometry<2>, 2>& places);
+    std::array<FlatGeometry, 2>& places);
 
 } // namespace chesil

@@ -5,6 +5,7 @@
 #include "core/dynamics/bodies.hpp"
 #include "core/measure/energyLedger.hpp"
 #include "core/world/contactList.hpp"
+#include "core/world/flatContact.hpp"
 #include "core/world/pairContact.hpp"
 #include "core/world/wallStates.hpp"
 #include "core/world/worldSettings.hpp"
@@ -178,15 +179,15 @@ private:
     bool touchesGrain(Contact<2>& contact, ContactGeometry<2>& found);
     PairStatus queryGrains(Contact<2>& contact, const Pose<2>& poseJ, ContactGeometry<2>& found);
     bool touchesWall(Contact<2>& contact, ContactGeometry<2>& found) const;
-    bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const;
+    bool areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<FlatGeometry, 2>& places) const;
     template <bool periodic, class Law>
-    void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, int places = 1);
+    void load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, const PlaceShare& share = {});
     void noteDepth(const Contact<2>& contact, double way);
     struct Meeting;
     template <bool periodic>
     Meeting meetingAt(const Contact<2>& contact) const;
     template <bool periodic, class Law>
-    void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, int places);
+    void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, const PlaceShare& share);
     double effectiveRadius(const Contact<2>& contact) const;
     double rollingRadius(const Contact<2>& contact) const;
     void noteStiffness(std::size_t i, std::size_t j, const ContactSprings& springs);

@@ -84,7 +84,7 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
         return;
     }
     contact.normal = found.normal;
-    std::array<ContactGeometry<2>, 2> places;
+    std::array<FlatGeometry, 2> places;
     if (second && areFlat(contact, found, places))
     {
         // The one corner of a tilted side is the same contact, whichever end of the other shape it is.
@@ -95,9 +95,10 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
             std::swap(*spring, *list_.springOf(index + 1));
         }
         // Each place damps half of the mass, if there are two: together they give the restitution that was asked.
-        const int loaded = places[0].depth > 0 && places[1].depth > 0 ? 2 : 1;
-        load<periodic>(law, index, places[0], timeStep, loaded);
-        load<periodic>(law, index + 1, places[1], timeStep, loaded);
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+            load<periodic>(law, index + i, places[i], timeStep, places[i].share);
+        }
         return;
     }
     load<periodic>(law, index, found, timeStep);
@@ -122,7 +123,7 @@ void World::release(const Law& law, std::size_t index)
 }
 
 template <bool periodic, class Law>
-void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, int places)
+void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, const PlaceShare& share)
 {
     if (!(geometry.depth > 0))
     {
@@ -134,7 +135,7 @@ void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& ge
     contact.depth = geometry.depth;
     contact.normal = geometry.normal;
     contact.point = geometry.point;
-    loadBodies<periodic>(law, index, previousDepth, timeStep, places);
+    loadBodies<periodic>(law, index, previousDepth, timeStep, share);
 }
 
 /// How the first body of a contact moves against the second.
@@ -182,7 +183,7 @@ World::Meeting World::meetingAt(const Contact<2>& contact) const
 }
 
 template <bool periodic, class Law>
-void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, int places)
+void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, const PlaceShare& share)
 {
     Contact<2>& contact = list_.contacts()[index];
     const bool withWall = contact.withWall();
@@ -193,8 +194,12 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     {
         noteDepth(contact, timeStep * meeting.velocity.norm());
     }
-    ContactState<2> state{contact.depth, contact.normal, meeting.velocity, places * meeting.inverseMass, 0, previousDepth};
-    if (anticipates_)
+    const double byWeight = meeting.velocity.dot(share.depthPerWay) + meeting.spin * share.depthPerTurn;
+    const Vector2 rate = share.weight * meeting.velocity + byWeight * contact.normal;
+    const double inverseMass = share.sharing * meeting.inverseMass;
+    ContactState<2> state{contact.depth, contact.normal, rate, inverseMass, 0, previousDepth};
+    // A place of less weight damps little: there the velocity of the half step before will do.
+    if (anticipates_ && share.weight == 1)
     {
         state.anticipates = true;
         const Vector2 gain = withWall ? expectedGains_[i] : Vector2(expectedGains_[i] - expectedGains_[j]);
@@ -214,7 +219,8 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     {
         noteStiffness(i, j, result.springs);
     }
-    contact.force = result.force;
+    const double pull = result.force.dot(contact.normal);
+    contact.force = share.weight * result.force + pull * share.depthPerWay;
     if constexpr (periodic)
     {
         if (ledger_)
@@ -224,20 +230,22 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     }
 
     bodies_.force[i] += contact.force;
-    bodies_.torque[i] += torqueOf(meeting.armOfFirst, contact.force);
+    const double couple = pull * share.depthPerTurn;
+    bodies_.torque[i] += torqueOf(meeting.armOfFirst, contact.force) + couple;
     if (withWall)
     {
-        walls_.add(contact.wall(), -contact.force, result.springs.normalStiffness, result.damping);
+        const double square = share.weight * share.weight;
+        walls_.add(contact.wall(), -contact.force, square * result.springs.normalStiffness, square * result.damping);
     }
     else
     {
         bodies_.force[j] -= contact.force;
-        bodies_.torque[j] -= torqueOf(meeting.armOfSecond, contact.force);
+        bodies_.torque[j] -= torqueOf(meeting.armOfSecond, contact.force) + couple;
     }
     if (double* turned = list_.turnOf(index); turned && law.rollingFriction > 0)
     {
         const double torque = rollingTorque(
-            law.rollingFriction, rollingRadius(contact), result.pressing, result.springs.normalStiffness, meeting.spin, timeStep,
+            law.rollingFriction, rollingRadius(contact), share.weight * result.pressing, result.springs.normalStiffness, meeting.spin, timeStep,
             *turned, loss);
         bodies_.torque[i] += torque;
         if (!withWall)

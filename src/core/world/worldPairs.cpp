@@ -10,7 +10,7 @@
 namespace chesil
 {
 
-bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<ContactGeometry<2>, 2>& places) const
+bool World::areFlat(const Contact<2>& contact, const ContactGeometry<2>& found, std::array<FlatGeometry, 2>& places) const
 {
     const auto i = static_cast<std::size_t>(contact.first);
     if (contact.withWall())
