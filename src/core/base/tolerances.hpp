@@ -34,6 +34,11 @@ constexpr double settledNormal = 1e-12;
 /// own normal but for some roundings, and no real outline has two sides so near to parallel.
 constexpr double normalOfSide = 1e-11;
 
+/// Sides of two grains at a sine of their angle beyond this share no length, and contacts whose normals differ by more are those of
+/// two sides: no polygon in use has sides so near to parallel, no flat contact that is 1 % of its length deep tilts so far with
+/// both ends inside, and no normal turns so far in a step.
+constexpr double oneSide = 0.05;
+
 /// Two unit tangents at a joint may differ by this angle [rad] and still count as the same (G1).
 /// Template files hold 17 digits, so that rounding leaves about 1e-15.
 constexpr double joint = 1e-12;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/supportContract.hpp"
+#include "core/base/tolerances.hpp"
 #include "core/base/vector.hpp"
 
 #include <algorithm>
@@ -42,9 +43,8 @@ struct FlatPlace
 /// Weight of the shallower place, between 0 and 1, and its derivatives.
 struct FlatWeight
 {
-    /// Sides at a sine of their angle beyond this share no length as long as the contact is shallow: no polygon in use has two
-    /// sides so near to parallel, and no flat contact that is 1 % of its length deep tilts so far with both ends inside.
-    static constexpr double mostTilt = 0.05;
+    /// Largest tilt of a shallow contact (sine).
+    static constexpr double mostTilt = tolerances::oneSide;
     /// Deeper contacts may tilt further, by this over the ratio of length to depth: the couple, which goes with the
     /// depth over the tilt, stays below what the contacts of the stable time step give.
     static constexpr double mostTiltTimesRatio = 0.5;

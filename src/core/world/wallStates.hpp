@@ -46,9 +46,11 @@ public:
     void clearForces();
 
     /// `force` on the wall [N].
-    void add(std::size_t wall, const Vector2& force, double normalStiffness, double damping)
+    void add(std::size_t wall, const Vector2& force) { states_[wall].force += force; }
+
+    /// Of a contact [N/m, N s/m].
+    void noteContact(std::size_t wall, double normalStiffness, double damping)
     {
-        states_[wall].force += force;
         states_[wall].stiffness += normalStiffness;
         states_[wall].damping += damping;
     }

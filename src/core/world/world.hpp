@@ -2,6 +2,7 @@
 
 #include "core/broadphase/neighbourSearch.hpp"
 #include "core/contact/contactGeometry.hpp"
+#include "core/contact/sideChange.hpp"
 #include "core/dynamics/bodies.hpp"
 #include "core/measure/energyLedger.hpp"
 #include "core/world/contactList.hpp"
@@ -188,6 +189,10 @@ private:
     Meeting meetingAt(const Contact<2>& contact) const;
     template <bool periodic, class Law>
     void loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, const PlaceShare& share);
+    template <bool periodic>
+    void push(const Contact<2>& contact, const Meeting& meeting, const Vector2& force, double couple, double timeStep);
+    template <bool periodic>
+    void noteSideChange(Contact<2>& contact, const SideHeld<2>& before, double timeStep);
     double effectiveRadius(const Contact<2>& contact) const;
     double rollingRadius(const Contact<2>& contact) const;
     void noteStiffness(std::size_t i, std::size_t j, const ContactSprings& springs);

@@ -73,6 +73,8 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
     Contact<2>& contact = list_.contacts()[index];
     Contact<2>* second = list_.placesOf(index) == 2 ? &contact + 1 : nullptr;
     const Law& law = lawOf(laws, contact);
+    const auto deeper = [&]() -> Contact<2>& { return second && second->depth > contact.depth ? *second : contact; };
+    const SideHeld<2> before{deeper().depth, deeper().normal};
     ContactGeometry<2> found;
     if (!(contact.withWall() ? touchesWall(contact, found) : touchesGrain(contact, found)))
     {
@@ -99,13 +101,16 @@ void World::resolve(const LawTable<Law>& laws, std::size_t index, double timeSte
         {
             load<periodic>(law, index + i, places[i], timeStep, places[i].share);
         }
-        return;
     }
-    load<periodic>(law, index, found, timeStep);
-    if (second)
+    else
     {
-        release(law, index + 1);
+        load<periodic>(law, index, found, timeStep);
+        if (second)
+        {
+            release(law, index + 1);
+        }
     }
+    noteSideChange<periodic>(deeper(), before, timeStep);
 }
 
 template <class Law>
@@ -182,6 +187,44 @@ World::Meeting World::meetingAt(const Contact<2>& contact) const
     return meeting;
 }
 
+/// `force` at the contact point and `couple` [N m], on the first body; the opposite on the other.
+template <bool periodic>
+void World::push(const Contact<2>& contact, const Meeting& meeting, const Vector2& force, double couple, double timeStep)
+{
+    if constexpr (periodic)
+    {
+        if (ledger_)
+        {
+            ledger_->walls += timeStep * force.dot(meeting.imageVelocity);
+        }
+    }
+    const auto i = static_cast<std::size_t>(contact.first);
+    bodies_.force[i] += force;
+    bodies_.torque[i] += torqueOf(meeting.armOfFirst, force) + couple;
+    if (contact.withWall())
+    {
+        walls_.add(contact.wall(), -force);
+        return;
+    }
+    const auto j = static_cast<std::size_t>(contact.second);
+    bodies_.force[j] -= force;
+    bodies_.torque[j] -= torqueOf(meeting.armOfSecond, force) + couple;
+}
+
+template <bool periodic>
+void World::noteSideChange(Contact<2>& contact, const SideHeld<2>& before, double timeStep)
+{
+    const SideHeld<2> now{contact.depth, contact.normal};
+    if (!areOfTwoSides(before, now))
+    {
+        return;
+    }
+    const Meeting meeting = meetingAt<periodic>(contact);
+    const Vector2 change = sideChange(before, now, meeting.velocity, -contact.force.dot(contact.normal), timeStep);
+    contact.force += change;
+    push<periodic>(contact, meeting, change, 0, timeStep);
+}
+
 template <bool periodic, class Law>
 void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, const PlaceShare& share)
 {
@@ -221,26 +264,11 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     }
     const double pull = result.force.dot(contact.normal);
     contact.force = share.weight * result.force + pull * share.depthPerWay;
-    if constexpr (periodic)
-    {
-        if (ledger_)
-        {
-            ledger_->walls += timeStep * contact.force.dot(meeting.imageVelocity);
-        }
-    }
-
-    bodies_.force[i] += contact.force;
-    const double couple = pull * share.depthPerTurn;
-    bodies_.torque[i] += torqueOf(meeting.armOfFirst, contact.force) + couple;
+    push<periodic>(contact, meeting, contact.force, pull * share.depthPerTurn, timeStep);
     if (withWall)
     {
         const double square = share.weight * share.weight;
-        walls_.add(contact.wall(), -contact.force, square * result.springs.normalStiffness, square * result.damping);
-    }
-    else
-    {
-        bodies_.force[j] -= contact.force;
-        bodies_.torque[j] -= torqueOf(meeting.armOfSecond, contact.force) + couple;
+        walls_.noteContact(contact.wall(), square * result.springs.normalStiffness, square * result.damping);
     }
     if (double* turned = list_.turnOf(index); turned && law.rollingFriction > 0)
     {
