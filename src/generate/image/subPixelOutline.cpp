@@ -144,6 +144,16 @@ bool hasMixedPixels(const GreyAround& around, const GreyLevel& level, const std:
 
 } // namespace
 
+std::vector<Vector2> pixelOutline(const Silhouette& silhouette)
+{
+    std::vector<Vector2> outline;
+    for (const Crack& crack : outerBoundary(silhouette))
+    {
+        outline.emplace_back(crack.insideX + (1 + crack.stepX) / 2.0, crack.insideY + (1 + crack.stepY) / 2.0);
+    }
+    return outline;
+}
+
 std::vector<Vector2> subPixelOutline(const GreyImage& image, const GreyLevel& level,
                                      const Silhouette& silhouette)
 {

@@ -32,4 +32,7 @@ struct GreyLevel
 std::vector<Vector2> subPixelOutline(const GreyImage& image, const GreyLevel& level,
                                      const Silhouette& silhouette);
 
+/// The same edge for an image drawn pixel by pixel: through the middles of the pixels' edges.
+std::vector<Vector2> pixelOutline(const Silhouette& silhouette);
+
 } // namespace chesil

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace chesil;
 
 namespace
@@ -36,7 +38,8 @@ TEST(ResultantForces, areWhatMovesUndampedGrains)
         largest = std::max(largest, forces[i].norm());
         worst = std::max(worst, (forces[i] - world.bodies().force[i]).norm());
     }
-    EXPECT_GT(largest, 100) << "grains touch";
+    EXPECT_TRUE(std::any_of(
+        world.contacts().begin(), world.contacts().end(), [](const Contact<2>& contact) { return contact.depth > 0; }));
     EXPECT_LT(worst, 1e-12 * largest);
 }
 

@@ -1,0 +1,97 @@
+#include "generate/descriptors/shapeDescriptors.hpp"
+
+#include "core/geometry/outline.hpp"
+#include "generate/descriptors/fourierSpectrum.hpp"
+#include "generate/descriptors/leastWidth.hpp"
+#include "generate/descriptors/outlineCircles.hpp"
+#include "generate/descriptors/roundness.hpp"
+#include "generate/image/convexHull.hpp"
+#include "generate/image/subPixelOutline.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace chesil
+{
+
+namespace
+{
+
+/// Chords of a template's curves, over its radius.
+constexpr double chordTolerance = 1e-7;
+
+/// Sides of a polygon longer than this are no chords of its curves, over the inscribed radius.
+constexpr double straightSide = 2e-3;
+
+/// Steps of an outline whose corners are looked for, and the smoothing's standard deviation, in steps: 0.5 % of the perimeter.
+constexpr std::size_t cornerSteps = 2000;
+constexpr double cornerDeviation = 20;
+
+/// Steps a pixel's edge is cut in, and the smoothing's standard deviation [pixel].
+constexpr double stepsInPixel = 2;
+constexpr double pixelDeviation = 2;
+
+/// An outline whose perimeter exceeds the hull's by less than this share is convex: the rounding of some thousand sides.
+constexpr double convexExcess = 1e-12;
+
+double inDegrees(const Vector2& axis)
+{
+    const double angle = std::atan2(axis.y(), axis.x()) * 180 / M_PI;
+    return angle > 90 ? angle - 180 : angle <= -90 ? angle + 180 : angle;
+}
+
+/// `smooth`: outline of pixels to look for corners in; null: the outline itself.
+ShapeDescriptors describe(const ClosedOutline& outline, const ClosedOutline* smooth)
+{
+    const ClosedOutline hull = convexHull(outline);
+    const LeastWidth least = leastWidth(hull);
+    const OutlineCircle inscribed = inscribedCircle(outline);
+    const OutlineCircle circumscribed = circumscribedCircle(hull);
+    ShapeDescriptors found;
+    found.area = polygonArea(outline);
+    found.perimeter = perimeterOf(outline);
+    found.equivalentDiameter = std::sqrt(4 * found.area / M_PI);
+    found.inscribedDiameter = 2 * inscribed.radius;
+    found.circumscribedDiameter = 2 * circumscribed.radius;
+    found.elongation = least.width / least.length;
+    found.elongationAngle = inDegrees(least.longAxis);
+    found.circularity = std::sqrt(inscribed.radius / circumscribed.radius);
+    found.sphericity = found.equivalentDiameter / found.circumscribedDiameter;
+    found.convexity = found.area / polygonArea(hull);
+    const double excess = 1 - perimeterOf(hull) / found.perimeter;
+    found.regularity = excess > convexExcess ? -std::log10(excess) : std::numeric_limits<double>::infinity();
+    found.roundness = coverRoundness(smooth ? *smooth : outline, inscribed.radius);
+    found.cornerRoundness = smooth
+        ? cornerRoundness(*smooth, inscribed.radius, std::numeric_limits<double>::infinity())
+        : cornerRoundness(outline, inscribed.radius, straightSide * inscribed.radius);
+    found.spectrum = fourierSpectrum(outline, least.longAxis);
+    found.centroid = polygonCentroid(outline);
+    return found;
+}
+
+} // namespace
+
+ShapeDescriptors describe(const ClosedOutline& outline)
+{
+    return describe(outline, nullptr);
+}
+
+ShapeDescriptors describePixels(const ClosedOutline& outline)
+{
+    const ClosedOutline smooth = smoothed(resampled(outline, cornerSteps), cornerDeviation);
+    return describe(outline, &smooth);
+}
+
+ShapeDescriptors describe(const Shape& shape)
+{
+    return describe(outlinePoints(outline(shape), chordTolerance * boundingRadius(shape)));
+}
+
+ClosedOutline outlineToDescribe(const Silhouette& silhouette)
+{
+    const ClosedOutline edges = silhouette.outline().empty() ? pixelOutline(silhouette) : silhouette.outline();
+    const auto steps = static_cast<std::size_t>(std::ceil(stepsInPixel * perimeterOf(edges)));
+    return smoothed(resampled(edges, steps), stepsInPixel * pixelDeviation);
+}
+
+} // namespace chesil
