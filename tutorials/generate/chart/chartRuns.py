@@ -1,11 +1,11 @@
 """What the scripts of this folder share: the shapes of the chart and the accuracy of each fit."""
 
 import csv
-import math
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "applications/utilities/chesilPlot"))
+from fitReport import percent  # noqa: E402,F401
 
 MODELS = ("polybezier", "polygon")
 PIECES = range(3, 21)
@@ -27,8 +27,3 @@ def readAccuracy():
     """{(model, pieces, name of the grain): accuracy to the silhouette}"""
     return {(model, pieces, row["id"]): float(row["accuracySilhouette"])
             for model in MODELS for pieces in PIECES for row in readTable(f"runs/{model}{pieces}.csv")}
-
-
-def percent(value):
-    """Never 100 %, if some pixel differs."""
-    return f"{math.floor(1e4 * value + 1e-9) / 100:.2f} %"
