@@ -164,11 +164,11 @@ static void printUnreached(const std::vector<chesil::GrainFit>& fits)
 {
     std::string names;
     int count = 0;
-    for (std::size_t i = 0; i < fits.size(); ++i)
+    for (const chesil::GrainFit& fit : fits)
     {
-        if (!fits[i].reachedAccuracy)
+        if (!fit.reachedAccuracy)
         {
-            names += (count++ ? " " : "") + chesil::grainName(i);
+            names += (count++ ? " " : "") + fit.name;
         }
     }
     if (count)
@@ -215,8 +215,7 @@ static void run(const argList& args)
     templates.unit = args.found("scale") ? "m" : "pixel";
     for (const chesil::GrainFit& fit : fits)
     {
-        const std::string name = chesil::grainName(templates.grains.size());
-        templates.grains.push_back({name, fit.grain});
+        templates.grains.push_back({fit.name, fit.grain});
     }
     fileName output("grains.chesil");
     args.readIfPresent("output", output);
