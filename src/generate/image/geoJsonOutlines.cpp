@@ -26,7 +26,9 @@ double coordinate(const Json& value)
 {
     if (!value.is_number() || !std::isfinite(value.get<double>()))
     {
-        throw ValueError("the coordinate " + value.dump(), "a number");
+        throw ValueError("the coordinate '" + (value.is_string() ? value.get<std::string>() : value.dump()) +
+                             "'",
+                         "a number");
     }
     return value.get<double>();
 }

@@ -30,7 +30,8 @@ public:
     {
         if (depth > deepestJson)
         {
-            throw ValueError("lists or objects more than " + std::to_string(deepestJson) + " within each other",
+            throw ValueError("lists or objects more than " + std::to_string(deepestJson) +
+                                 " within each other",
                              expectedPolygons);
         }
         if (event == Json::parse_event_t::object_start)
@@ -73,7 +74,8 @@ private:
 
     bool takeFeature(Json::parse_event_t event, const Json& part)
     {
-        const bool starts = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+        const bool starts =
+            event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
         if (starts || event == Json::parse_event_t::value)
         {
             ++count_;

@@ -97,7 +97,7 @@ std::string imageFindings(const ImageGrains& image, const ImageSettings& setting
     if (image.labelsInPieces > 0)
     {
         text << "Labels in pieces          " << image.labelsInPieces << " of " << image.labels
-             << "; each piece counts as a grain\n";
+             << "; each piece is taken by itself\n";
     }
     const std::vector<std::string> touching = touchingNames(image);
     if (!touching.empty())

@@ -129,7 +129,8 @@ std::vector<std::string> namesOf(const std::string& path, const OutlineFile& fil
         const auto [other, isNew] = places.emplace(name, file.places[i]);
         if (!isNew)
         {
-            throw SetupError(path, file.places[i], "the name '" + name + "', which " + other->second + " has, too",
+            throw SetupError(path, file.places[i],
+                             "the name '" + name + "', which " + other->second + " has, too",
                              "a name of its own for each outline");
         }
         names.push_back(name);
