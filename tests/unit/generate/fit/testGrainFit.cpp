@@ -380,6 +380,12 @@ TEST(GrainFit, realPebblesOfTorreyPines)
         toSilhouette.push_back(fit.accuracySilhouette);
         toHull.push_back(fit.accuracyHull);
     }
+    FitSettings inMetres;
+    inMetres.scale = 1e-4;
+    for (const GrainFit& fit : fitGrains(path, image, inMetres))
+    {
+        joint = std::max(joint, largestSmoothAngle(polyBezier(fit)));
+    }
     EXPECT_LE(joint, tolerances::joint);
     EXPECT_EQ(seen, normals);
     EXPECT_GE(median(toHull), 0.985);
