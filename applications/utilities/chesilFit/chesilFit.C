@@ -13,7 +13,8 @@ Description
     their outlines. Needs no case.
 
     Writes a template file (doc/templateFile.md) with one polybezier grain for
-    each whole grain of the image, turned as in the image. The file's ending
+    each whole grain of the image, turned as in the image. Outlines keep their
+    names, grains of images are called grain1, grain2, ... The file's ending
     tells what is read (doc/grainFit.md): .csv and .geojson or .json outlines,
     everything else an image, PNG, JPEG or TIFF.
 

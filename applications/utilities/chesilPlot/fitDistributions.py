@@ -55,11 +55,11 @@ def drawSizes(axes, areas, unit):
 def drawAccuracies(axes, columns):
     """On a logarithmic scale of the share of wrong pixels."""
     least = 1.0
-    for (name, label), colour in zip({"accuracySilhouette": "silhouette", "accuracyHull": "its hull"}.items(),
-                                     (style.OUTLINE, style.SERIES_COLOURS[0])):
+    for name, label, colour, line in (("accuracySilhouette", "silhouette", style.OUTLINE, "-"),
+                                      ("accuracyHull", "its hull", style.SERIES_COLOURS[0], "--")):
         errors = np.sort(np.maximum(1 - columns[name], LEAST_ERROR))[::-1]
         shares = 100 * np.arange(1, len(errors) + 1) / len(errors)
-        axes.step(np.append(errors[0], errors), np.append(0, shares), where="post", color=colour,
+        axes.step(np.append(errors[0], errors), np.append(0, shares), where="post", color=colour, linestyle=line,
                   label=f"{label} (median {percent(np.median(columns[name]))})")
         least = min(least, errors[-1])
     axes.set_xscale("log")
