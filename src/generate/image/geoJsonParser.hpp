@@ -17,6 +17,7 @@ using TakeFeature = std::function<void(const nlohmann::json&, const std::string&
 /// large (names the feature), and adds file and feature to a ValueError of `take`.
 void parseGeoJson(const std::string& path, const TakeFeature& take);
 
+/// Features hold their coordinates seven deep; what properties hold is not read.
 constexpr int deepestJson = 100;
 
 constexpr const char* expectedPolygons = "features that are Polygon or MultiPolygon";
