@@ -13,7 +13,8 @@ Description
     their outlines. Needs no case.
 
     Writes a template file (doc/templateFile.md) with one polybezier grain for
-    each whole grain of the image, turned as in the image. The file's ending
+    each whole grain of the image, turned as in the image. Outlines keep their
+    names, grains of images are called grain1, grain2, ... The file's ending
     tells what is read (doc/grainFit.md): .csv and .geojson or .json outlines,
     everything else an image, PNG, JPEG or TIFF.
 
@@ -164,11 +165,11 @@ static void printUnreached(const std::vector<chesil::GrainFit>& fits)
 {
     std::string names;
     int count = 0;
-    for (std::size_t i = 0; i < fits.size(); ++i)
+    for (const chesil::GrainFit& fit : fits)
     {
-        if (!fits[i].reachedAccuracy)
+        if (!fit.reachedAccuracy)
         {
-            names += (count++ ? " " : "") + chesil::grainName(i);
+            names += (count++ ? " " : "") + fit.name;
         }
     }
     if (count)
@@ -215,8 +216,7 @@ static void run(const argList& args)
     templates.unit = args.found("scale") ? "m" : "pixel";
     for (const chesil::GrainFit& fit : fits)
     {
-        const std::string name = chesil::grainName(templates.grains.size());
-        templates.grains.push_back({name, fit.grain});
+        templates.grains.push_back({fit.name, fit.grain});
     }
     fileName output("grains.chesil");
     args.readIfPresent("output", output);

@@ -41,11 +41,12 @@ def readPlacement(path):
 
 
 def placedOutlines(templates, placements, placementFile):
-    outlines = []
+    """{name: outline where it lies in the image}"""
+    outlines = {}
     for name, x, y, angle in placements:
         if name not in templates:
             raise PlotError(f"{placementFile}: grain '{name}' is not among the templates")
-        outlines.append(templates[name].transformed(Affine2D().rotate(angle).translate(x, y)))
+        outlines[name] = templates[name].transformed(Affine2D().rotate(angle).translate(x, y))
     return outlines
 
 
@@ -60,28 +61,35 @@ def readImage(path):
     return image / max(image.max(), 1e-9)
 
 
+class FittedImage:
+    """The image and the outlines over it, in one unit: pixels, or a length that reads well.
+
+    image: grey values; pixel: its size; size: width and height; outlines: {name: outline in the image}
+    """
+
+    def __init__(self, options):
+        unit, templates = readTemplates(options.templates)
+        if unit == "pixel":
+            self.unit, self.pixel, toUnit = "pixel", 1.0, 1.0
+        elif options.scale:
+            toUnit, self.unit = style.lengthUnit(options.scale * 1000)
+            self.pixel = options.scale * toUnit
+        else:
+            raise PlotError(f"{options.templates}: is in metres, so -scale <m per pixel> is needed")
+        self.image = readImage(options.image)
+        self.size = np.array(self.image.shape[::-1]) * self.pixel
+        placed = placedOutlines(templates, readPlacement(options.placement), options.placement)
+        self.outlines = {name: outline.transformed(Affine2D().scale(toUnit)) for name, outline in placed.items()}
+
+
 def draw(options):
-    unit, templates = readTemplates(options.templates)
-    if unit == "pixel":
-        pixel, unit = 1.0, "pixel"
-    elif options.scale:
-        factor, unit = style.lengthUnit(options.scale * 1000)
-        pixel = options.scale * factor
-    else:
-        raise PlotError(f"{options.templates}: is in metres, so -scale <m per pixel> is needed")
-    toAxes = 1.0 if unit == "pixel" else pixel / options.scale
-
-    image = readImage(options.image)
-    size = np.array(image.shape[::-1]) * pixel
-    outlines = placedOutlines(templates, readPlacement(options.placement), options.placement)
-
-    figure, (axes,) = style.panels(1, size, tallest=6.0)
-    axes.imshow(image, cmap=style.PHOTO, vmin=0, vmax=1, extent=(0, size[0], 0, size[1]))
+    fitted = FittedImage(options)
+    figure, (axes,) = style.panels(1, fitted.size, tallest=6.0)
+    axes.imshow(fitted.image, cmap=style.PHOTO, vmin=0, vmax=1, extent=(0, fitted.size[0], 0, fitted.size[1]))
     axes.add_collection(PathCollection(
-        [outline.transformed(Affine2D().scale(toAxes)) for outline in outlines],
-        facecolor=style.OUTLINE + "18", edgecolor=style.OUTLINE, linewidth=1.0,
+        list(fitted.outlines.values()), facecolor=style.OUTLINE + "18", edgecolor=style.OUTLINE, linewidth=1.0,
     ))
-    axes.set_title(f"{len(outlines)} fitted grain" + "s" * (len(outlines) != 1))
-    style.placeLengthAxes(axes, unit)
-    style.scaleBar(axes, unit)
+    axes.set_title(f"{len(fitted.outlines)} fitted grain" + "s" * (len(fitted.outlines) != 1))
+    style.placeLengthAxes(axes, fitted.unit)
+    style.scaleBar(axes, fitted.unit)
     return figure

@@ -18,10 +18,10 @@ void writeTable(const std::string& path, const char* header, const std::vector<G
                [&](std::ostream& file)
                {
                    file << header << '\n';
-                   for (std::size_t i = 0; i < fits.size(); ++i)
+                   for (const GrainFit& fit : fits)
                    {
-                       file << grainName(i) << ',';
-                       writeRow(file, fits[i]);
+                       file << fit.name << ',';
+                       writeRow(file, fit);
                        file << '\n';
                    }
                });

@@ -242,10 +242,11 @@ std::vector<GrainFit> fitGrains(const std::string& imagePath, const ImageGrains&
         try
         {
             fits.push_back(fitGrain(silhouette, settings));
+            fits.back().name = image.name(fits.size() - 1);
         }
         catch (const ValueError& error)
         {
-            throw error.at(imagePath, grainName(fits.size()));
+            throw error.at(imagePath, image.name(fits.size()));
         }
     }
     return fits;

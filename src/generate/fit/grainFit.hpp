@@ -17,6 +17,8 @@ struct GrainFit
 {
     /// About its centroid, turned as in the image, x to the right, y up; unit: pixel times the scale given.
     Shape grain;
+    /// ImageGrains::name.
+    std::string name{};
     /// What an ellipse, whose half-axes are along x and y, has to be turned by counter-clockwise [rad] to be
     /// as in the image; 0 for the other shapes.
     double angle = 0;

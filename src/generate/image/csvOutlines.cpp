@@ -86,6 +86,8 @@ void close(const WordReader& reader, OpenOutline& open, OutlineFile& file)
     try
     {
         file.outlines.push_back(checkedOutline(std::move(open.vertices)));
+        file.names.push_back(open.id);
+        file.places.push_back("line " + std::to_string(open.line));
     }
     catch (const ValueError& error)
     {

@@ -1,16 +1,10 @@
 #include "core/base/setupError.hpp"
+#include "generate/image/geoJsonParser.hpp"
 #include "generate/image/outlineFile.hpp"
 
-// Boost 1.74 itself uses what it warns about
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
+#include <nlohmann/json.hpp>
 
-#include <cerrno>
-#include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 namespace chesil
 {
@@ -18,127 +12,122 @@ namespace chesil
 namespace
 {
 
-using Json = boost::property_tree::ptree;
+using Json = nlohmann::json;
 
-constexpr const char* expectedPolygons = "features that are Polygon or MultiPolygon";
+/// Null if the object has no such member, or is no object.
+const Json& member(const Json& object, const char* name)
+{
+    static const Json none;
+    const auto found = object.is_object() ? object.find(name) : object.end();
+    return found == object.end() ? none : *found;
+}
 
 double coordinate(const Json& value)
 {
-    const std::string& text = value.data();
-    double number = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
     {
-        throw ValueError("the coordinate '" + text + "'", "a number");
+        throw ValueError("the coordinate '" + (value.is_string() ? value.get<std::string>() : value.dump()) +
+                             "'",
+                         "a number");
     }
-    return number;
+    return value.get<double>();
 }
 
 std::vector<Vector2> readRing(const Json& ring)
 {
     std::vector<Vector2> vertices;
-    for (const auto& [name, position] : ring)
+    for (const Json& position : ring)
     {
-        if (position.size() < 2)
+        if (!position.is_array() || position.size() < 2)
         {
-            throw ValueError("a position of " + std::to_string(position.size()) + " numbers", "at least 2");
+            throw ValueError("a position of " + std::to_string(position.is_array() ? position.size() : 0) +
+                                 " numbers",
+                             "at least 2");
         }
-        auto number = position.begin();
-        const double x = coordinate(number->second);
-        const double y = coordinate((++number)->second);
-        vertices.emplace_back(x, y);
+        vertices.emplace_back(coordinate(position[0]), coordinate(position[1]));
     }
     return vertices;
 }
 
-void addPolygon(const Json& rings, OutlineFile& file)
+/// The outlines of a geometry; adds their holes to those of the file.
+std::vector<std::vector<Vector2>> readPolygon(const Json& rings, OutlineFile& file)
 {
-    if (rings.empty())
+    if (!rings.is_array() || rings.empty())
     {
         throw ValueError("a polygon without points", "an outline");
     }
-    file.outlines.push_back(checkedOutline(readRing(rings.front().second)));
     file.holes += static_cast<int>(rings.size()) - 1;
+    return {checkedOutline(readRing(rings.front()))};
 }
 
-void addGeometry(const Json& geometry, OutlineFile& file)
+std::vector<std::vector<Vector2>> readGeometry(const Json& geometry, OutlineFile& file)
 {
-    const std::string type = geometry.get("type", "no geometry");
-    static const Json none;
-    const Json& coordinates = geometry.get_child("coordinates", none);
+    const Json& coordinates = member(geometry, "coordinates");
+    const Json& type = member(geometry, "type");
     if (type == "Polygon")
     {
-        addPolygon(coordinates, file);
+        return readPolygon(coordinates, file);
     }
-    else if (type == "MultiPolygon")
+    if (type != "MultiPolygon")
     {
-        for (const auto& [name, rings] : coordinates)
-        {
-            addPolygon(rings, file);
-        }
+        throw ValueError(type.is_string() ? type.get<std::string>() : "no geometry", expectedPolygons);
     }
-    else
+    if (coordinates.empty())
     {
-        throw ValueError(type, expectedPolygons);
+        throw ValueError("a MultiPolygon without polygons", "an outline");
     }
+    std::vector<std::vector<Vector2>> outlines;
+    for (const Json& rings : coordinates)
+    {
+        outlines.push_back(readPolygon(rings, file).front());
+    }
+    return outlines;
 }
 
-Json readJson(const std::string& path)
+/// Text or a number; empty if there is none.
+std::string nameOf(const Json& feature)
 {
-    errno = 0;
-    std::ifstream stream(path);
-    if (!stream.good() || stream.peek() == std::ifstream::traits_type::eof())
+    const Json& properties = member(feature, "properties");
+    for (const Json* value : {&member(feature, "id"), &member(properties, "name"), &member(properties, "id")})
     {
-        throw SetupError(path, "GeoJSON", errno != 0 ? std::strerror(errno) : "an empty file",
-                         "a GeoJSON file that can be read");
+        if (value->is_string())
+        {
+            return value->get<std::string>();
+        }
+        if (value->is_number())
+        {
+            return value->dump();
+        }
+        if (!value->is_null())
+        {
+            throw ValueError("the name " + value->dump(), "text or a number");
+        }
     }
-    Json json;
-    try
-    {
-        boost::property_tree::read_json(stream, json);
-    }
-    catch (const boost::property_tree::json_parser_error& error)
-    {
-        throw SetupError(path, "line " + std::to_string(error.line()), error.message(),
-                         "whole GeoJSON with " + std::string(expectedPolygons));
-    }
-    return json;
+    return "";
 }
 
 } // namespace
 
 OutlineFile readGeoJsonOutlines(const std::string& path)
 {
-    const Json json = readJson(path);
     OutlineFile file;
-    std::string entry = "geometry";
-    try
+    parseGeoJson(path,
+                 [&](const Json& json, const std::string& place)
+                 {
+                     const bool isFeature = json.is_object() && json.contains("geometry");
+                     const std::string name = isFeature ? nameOf(json) : "";
+                     auto outlines = readGeometry(isFeature ? json["geometry"] : json, file);
+                     for (std::size_t i = 0; i < outlines.size(); ++i)
+                     {
+                         const bool numbered = !name.empty() && outlines.size() > 1;
+                         file.names.push_back(numbered ? name + "-" + std::to_string(i + 1) : name);
+                         file.places.push_back(place);
+                         file.outlines.push_back(std::move(outlines[i]));
+                     }
+                 });
+    if (file.outlines.empty())
     {
-        const std::string type = json.get("type", "");
-        if (type == "FeatureCollection")
-        {
-            static const Json none;
-            std::size_t number = 0;
-            for (const auto& [name, feature] : json.get_child("features", none))
-            {
-                entry = "feature " + std::to_string(++number);
-                addGeometry(feature.get_child("geometry", none), file);
-            }
-            entry = "features";
-        }
-        else
-        {
-            static const Json none;
-            addGeometry(type == "Feature" ? json.get_child("geometry", none) : json, file);
-        }
-        if (file.outlines.empty())
-        {
-            throw ValueError("no polygon", expectedPolygons);
-        }
-    }
-    catch (const ValueError& error)
-    {
-        throw error.at(path, entry);
+        throw SetupError(path, "features", "no polygon", expectedPolygons);
     }
     return file;
 }

@@ -36,7 +36,7 @@ std::vector<std::string> touchingNames(const ImageGrains& image)
     std::vector<std::string> names;
     for (const TouchingGrains& touching : image.touching)
     {
-        names.push_back(grainName(touching.grain) + " (" + std::to_string(touching.parts) + " parts)");
+        names.push_back(image.name(touching.grain) + " (" + std::to_string(touching.parts) + " parts)");
     }
     return names;
 }
@@ -49,7 +49,7 @@ std::vector<std::string> hollowNames(const ImageGrains& image)
         const double share = convexity(image.grains[i]);
         if (share < farFromConvex)
         {
-            names.push_back(grainName(i) + " (convexity " + twoDigits(share) + ")");
+            names.push_back(image.name(i) + " (convexity " + twoDigits(share) + ")");
         }
     }
     return names;
@@ -94,6 +94,11 @@ std::string imageFindings(const ImageGrains& image, const ImageSettings& setting
              << "Border-touching dropped   " << image.borderDropped << '\n';
     }
     text << "Holes filled              " << image.holesFilled << '\n';
+    if (image.labelsInPieces > 0)
+    {
+        text << "Labels in pieces          " << image.labelsInPieces << " of " << image.labels
+             << "; each piece is taken by itself\n";
+    }
     const std::vector<std::string> touching = touchingNames(image);
     if (!touching.empty())
     {

@@ -59,6 +59,12 @@ Owned<Pix> pixelsOf(const GreyImage& labels, int label, const LabelBox& box)
     return binary;
 }
 
+/// Sets of pixels sorted out so far.
+std::size_t piecesOf(const ImageGrains& result)
+{
+    return result.grains.size() + static_cast<std::size_t>(result.specksDropped + result.borderDropped);
+}
+
 } // namespace
 
 ImageGrains readLabelGrains(const std::string& path, const ImageSettings& settings)
@@ -79,7 +85,6 @@ ImageGrains readLabelGrains(const std::string& path, const ImageSettings& settin
     result.white = labels.largest();
 
     const std::vector<LabelBox> boxes = boxesOf(labels);
-    int found = 0;
     for (int label = 0; label <= labels.largest(); ++label)
     {
         const LabelBox& box = boxes[static_cast<std::size_t>(label)];
@@ -87,12 +92,14 @@ ImageGrains readLabelGrains(const std::string& path, const ImageSettings& settin
         {
             continue;
         }
-        ++found;
+        ++result.labels;
+        const std::size_t before = piecesOf(result);
         const Owned<Pix> binary = pixelsOf(labels, label, box);
         sortOut({binary.get(), box.left, labels.height() - 1 - box.top}, settings.minPixels, result,
                 [&](Silhouette&& silhouette) { result.grains.push_back(std::move(silhouette)); });
+        result.labelsInPieces += piecesOf(result) > before + 1 ? 1 : 0;
     }
-    if (found == 0)
+    if (result.labels == 0)
     {
         throw SetupError(path, "image", "no label (the value " + std::to_string(ground) + " everywhere)",
                          expected);
@@ -100,7 +107,7 @@ ImageGrains readLabelGrains(const std::string& path, const ImageSettings& settin
     if (result.grains.empty())
     {
         throw SetupError(path, "image",
-                         "no whole grain (" + std::to_string(found) + " labels; " +
+                         "no whole grain (" + std::to_string(result.labels) + " labels; " +
                              droppedText(result, settings.minPixels) + ")",
                          expected);
     }

@@ -12,6 +12,9 @@ namespace chesil
 struct OutlineFile
 {
     std::vector<std::vector<Vector2>> outlines;
+    /// Of each outline: as in the file, empty if it has none there; and where it stands, for messages.
+    std::vector<std::string> names;
+    std::vector<std::string> places;
     /// Holes of the polygons, which are not kept.
     int holes = 0;
 };
@@ -24,8 +27,10 @@ struct OutlineFile
 OutlineFile readCsvOutlines(const std::string& path);
 
 /// The polygons of a GeoJSON file (RFC 7946): FeatureCollection, Feature, Polygon, MultiPolygon; each polygon
-/// is a grain. Coordinates are taken as lengths. Throws SetupError that names file and feature for other
-/// geometries, a file without polygons, and outlines as above.
+/// is a grain. Coordinates are taken as lengths. Its name is the first of the feature's id, properties.name,
+/// properties.id that is there, with -1, -2, ... if the feature has several polygons. Throws SetupError that
+/// names file and feature for other geometries, a file without polygons, a name that is neither text nor a
+/// number, outlines as above, and as parseGeoJson does.
 OutlineFile readGeoJsonOutlines(const std::string& path);
 
 /// The outline as OutlineFile has it. Throws ValueError for fewer than three different vertices, no

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace chesil
 {
@@ -39,10 +40,10 @@ Box boxAround(const std::vector<Vector2>& outline)
 }
 
 /// The size of a pixel, in the outlines' unit.
-double pixelSizeFor(const std::string& path, const std::vector<std::vector<Vector2>>& outlines)
+double pixelSizeFor(const std::string& path, const OutlineFile& file)
 {
     std::vector<double> sizes;
-    for (const std::vector<Vector2>& outline : outlines)
+    for (const std::vector<Vector2>& outline : file.outlines)
     {
         sizes.push_back(boxAround(outline).sizes().maxCoeff());
     }
@@ -106,6 +107,37 @@ Silhouette drawn(std::vector<Vector2> outline, double pixelSize)
     return silhouette;
 }
 
+/// The file's names, grainName for outlines without one; none if no outline has one.
+std::vector<std::string> namesOf(const std::string& path, const OutlineFile& file)
+{
+    if (std::all_of(file.names.begin(), file.names.end(), [](const auto& name) { return name.empty(); }))
+    {
+        return {};
+    }
+    std::vector<std::string> names;
+    std::map<std::string, std::string> places;
+    for (std::size_t i = 0; i < file.names.size(); ++i)
+    {
+        const std::string name = file.names[i].empty() ? grainName(i) : file.names[i];
+        const auto isForbidden = [](unsigned char letter)
+        { return letter <= ' ' || letter == 127 || letter == '#' || letter == ',' || letter == '"'; };
+        if (std::any_of(name.begin(), name.end(), isForbidden))
+        {
+            throw SetupError(path, file.places[i], "the name '" + name + "'",
+                             "a name without blanks and without # , \"");
+        }
+        const auto [other, isNew] = places.emplace(name, file.places[i]);
+        if (!isNew)
+        {
+            throw SetupError(path, file.places[i],
+                             "the name '" + name + "', which " + other->second + " has, too",
+                             "a name of its own for each outline");
+        }
+        names.push_back(name);
+    }
+    return names;
+}
+
 } // namespace
 
 bool isOutlinePath(const std::string& path)
@@ -119,8 +151,9 @@ ImageGrains readOutlineGrains(const std::string& path)
     OutlineFile file = endingOf(path) == ".csv" ? readCsvOutlines(path) : readGeoJsonOutlines(path);
     ImageGrains result;
     result.kind = ImageKind::outlines;
+    result.names = namesOf(path, file);
     result.holesFilled = file.holes;
-    result.pixelSize = pixelSizeFor(path, file.outlines);
+    result.pixelSize = pixelSizeFor(path, file);
     for (std::vector<Vector2>& outline : file.outlines)
     {
         Silhouette silhouette = drawn(std::move(outline), result.pixelSize);

@@ -51,6 +51,11 @@ ImageGrains readGrains(const std::string& path, const ImageSettings& settings)
     return settings.labels ? readLabelGrains(path, settings) : readGreyGrains(path, settings);
 }
 
+std::string ImageGrains::name(std::size_t index) const
+{
+    return names.empty() ? grainName(index) : names[index];
+}
+
 std::string grainName(std::size_t index) { return "grain" + std::to_string(index + 1); }
 
 } // namespace chesil

@@ -49,10 +49,16 @@ struct ImageGrains
     /// Whole grains, holes filled, in the order in which reading the image from its top left corner meets
     /// them, labels from the least on, outlines in the file's order.
     std::vector<Silhouette> grains;
+    /// Of the grains, if the file has names; else grainName.
+    std::vector<std::string> names;
     int specksDropped = 0;
     /// Grains of minPixels and more that touch the image's border, hence may be cut off.
     int borderDropped = 0;
     int holesFilled = 0;
+    /// Of a label image: how many labels there are, and how many of them are in more than one piece, each of
+    /// which is sorted out by itself.
+    int labels = 0;
+    int labelsInPieces = 0;
     /// Grey images only; cut if settings.split says so.
     std::vector<TouchingGrains> touching;
     /// Of a grey image; white's value, 255 or 65535.
@@ -66,6 +72,9 @@ struct ImageGrains
     int height = 0;
     /// Of a silhouette's pixel: 1 [image's pixel], for outlines in the file's unit.
     double pixelSize = 1;
+
+    /// The grain's name in template files, tables and messages.
+    std::string name(std::size_t index) const;
 };
 
 /// Reads grains, by the path's ending:
@@ -80,7 +89,7 @@ struct ImageGrains
 /// of range or does not go with the kind of file, or if no whole grain is found.
 ImageGrains readGrains(const std::string& path, const ImageSettings& settings = {});
 
-/// The name of grain `index` (from 0) in template files, tables and messages: "grain1", "grain2", ...
+/// The name of grain `index` (from 0) of a file that has no names: "grain1", "grain2", ...
 std::string grainName(std::size_t index);
 
 } // namespace chesil

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-/// Convex shapes over the axes of the chart of Krumbein & Sloss (1951), of our own making.
+/// Convex shapes over the axes of the chart of Krumbein & Sloss (1951), of our own making; those that
+/// tutorials/generate/chart/drawChart draws.
 namespace chesil::test
 {
 

@@ -178,8 +178,11 @@ TEST(GrainFit, settingsOutOfRangeAreNamed)
 
 TEST(FitTables, haveTheirHeaderAndOneRowAGrain)
 {
-    const std::vector<GrainFit> fits(
-        2, fitGrain(Silhouette(4, 3, std::vector<std::uint8_t>(12, 1), Vector2(7, 8))));
+    ImageGrains image;
+    image.grains.assign(2, Silhouette(4, 3, std::vector<std::uint8_t>(12, 1), Vector2(7, 8)));
+    EXPECT_EQ(fitGrains("image", image).at(1).name, "grain2");
+    image.names = {"pebble", "tile"};
+    const std::vector<GrainFit> fits = fitGrains("image", image);
     const std::string path = testing::TempDir() + "fitTable.csv";
     std::string header;
     std::string row;
@@ -189,7 +192,7 @@ TEST(FitTables, haveTheirHeaderAndOneRowAGrain)
     std::getline(report, header);
     std::getline(report, row);
     EXPECT_EQ(header, "id,pixels,accuracySilhouette,accuracyHull,segments,milliseconds");
-    EXPECT_EQ(row.substr(0, row.find(',', 7)), "grain1,12");
+    EXPECT_EQ(row.substr(0, row.find(',', 7)), "pebble,12");
     EXPECT_EQ(std::count(row.begin(), row.end(), ','), 5);
 
     writePlacement(path, fits);
@@ -200,7 +203,7 @@ TEST(FitTables, haveTheirHeaderAndOneRowAGrain)
     EXPECT_EQ(header, "id,x,y,angle");
     double x = 0;
     double y = 0;
-    EXPECT_EQ(std::sscanf(row.c_str(), "grain2,%lf,%lf", &x, &y), 2);
+    EXPECT_EQ(std::sscanf(row.c_str(), "tile,%lf,%lf", &x, &y), 2);
     EXPECT_NEAR(x, 9, 1e-3);
     EXPECT_NEAR(y, 9.5, 1e-3);
 
@@ -379,6 +382,12 @@ TEST(GrainFit, realPebblesOfTorreyPines)
         EXPECT_GE(fit.accuracyHull, 0.95);
         toSilhouette.push_back(fit.accuracySilhouette);
         toHull.push_back(fit.accuracyHull);
+    }
+    FitSettings inMetres;
+    inMetres.scale = 1e-4;
+    for (const GrainFit& fit : fitGrains(path, image, inMetres))
+    {
+        joint = std::max(joint, largestSmoothAngle(polyBezier(fit)));
     }
     EXPECT_LE(joint, tolerances::joint);
     EXPECT_EQ(seen, normals);

@@ -133,6 +133,9 @@ TEST_F(ImageKinds, labelsThatTouchAreGrainsOfTheirOwn)
         EXPECT_EQ(image.grains[1].corner(), Vector2(10, 60 - 30));
         EXPECT_EQ(image.specksDropped, 1);
         EXPECT_EQ(image.borderDropped, 1);
+        EXPECT_EQ(image.labels, 3);
+        EXPECT_EQ(image.labelsInPieces, 1);
+        EXPECT_THAT(imageFindings(image, labelSettings()), HasSubstr("Labels in pieces          1 of 3;"));
         EXPECT_TRUE(image.grains[0].outline().empty());
     }
 }
@@ -144,7 +147,10 @@ TEST_F(ImageKinds, theLabelOfTheGroundMayBeAnother)
     ImageSettings settings = labelSettings();
     EXPECT_EQ(read(picture, settings).grains.size(), 1u); // the ground's frame is at the border
     settings.ground = 255;
-    EXPECT_EQ(read(picture, settings).grains.size(), 2u);
+    const ImageGrains image = read(picture, settings);
+    EXPECT_EQ(image.grains.size(), 2u);
+    EXPECT_EQ(image.labelsInPieces, 0);
+    EXPECT_THAT(imageFindings(image, settings), Not(HasSubstr("pieces")));
     for (const int ground : {-1, 256})
     {
         settings.ground = ground;

@@ -46,9 +46,14 @@ using OutlineGrains = OutlineFiles;
 
 const std::string square = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
 
-std::string feature(const std::string& geometry)
+std::string feature(const std::string& geometry, const std::string& members = R"("properties":{})")
 {
-    return R"({"type":"Feature","properties":{},"geometry":)" + geometry + "}";
+    return R"({"type":"Feature",)" + members + R"(,"geometry":)" + geometry + "}";
+}
+
+std::string collection(const std::string& features)
+{
+    return R"({"type":"FeatureCollection","features":[)" + features + "]}";
 }
 
 std::string polygon(const std::string& rings)
@@ -112,8 +117,6 @@ TEST_F(OutlineFiles, geoJsonGivesEachPolygon)
 
 TEST_F(OutlineFiles, geoJsonThatIsWrongIsRefusedByFeature)
 {
-    const auto collection = [](const std::string& features)
-    { return R"({"type":"FeatureCollection","features":[)" + features + "]}"; };
     EXPECT_THAT(jsonRefusal(collection("")),
                 HasSubstr("no polygon; features that are Polygon or MultiPolygon"));
     EXPECT_THAT(jsonRefusal(collection(feature(polygon(square)) + "," +
@@ -132,6 +135,133 @@ TEST_F(OutlineFiles, geoJsonThatIsWrongIsRefusedByFeature)
     EXPECT_THAT(jsonRefusal(""), HasSubstr("an empty file"));
     const auto missing = test::errorOf<SetupError>([&] { readGeoJsonOutlines(folder_ + "/none.json"); });
     EXPECT_THAT(missing.found(), HasSubstr("No such file"));
+}
+
+TEST_F(OutlineFiles, geoJsonMembersMayStandInAnyOrder)
+{
+    // Type and geometry last, and what looks like features elsewhere.
+    const std::string turned = R"({"geometry":{"coordinates":[)" + square +
+                               R"(],"bbox":[[[[[0]]]]],"type":"Polygon"},"type":"Feature","id":4})";
+    const OutlineFile file = readGeoJsonOutlines(
+        saved("a.json", R"({"bbox":[0,[1]],"a":{"features":[{"b":[1,[2]]}]},"features":[)" + turned + "," +
+                            turned + R"(],"c":[{"d":1}],"type":"FeatureCollection"})"));
+    EXPECT_EQ(file.outlines.size(), 2u);
+    EXPECT_EQ(file.names, (std::vector<std::string>{"4", "4"}));
+    EXPECT_EQ(file.places, (std::vector<std::string>{"feature 1", "feature 2"}));
+}
+
+TEST_F(OutlineFiles, brokenJsonIsRefusedByLineOrFeature)
+{
+    const std::string good = feature(polygon(square));
+    const std::string whole = collection(good + ",\n" + good);
+    ASSERT_EQ(readGeoJsonOutlines(saved("whole.json", whole)).outlines.size(), 2u);
+    for (std::size_t length = 1; length < whole.size(); ++length)
+    {
+        EXPECT_THAT(jsonRefusal(whole.substr(0, length)), testing::StartsWith("line ")) << length;
+    }
+    EXPECT_THAT(jsonRefusal(whole + "]"), AllOf(HasSubstr("line 2: "), HasSubstr("whole GeoJSON")));
+    for (const std::string number : {"nan", "NaN", "Infinity", "-inf", "0x10", "1.", ".5", "01", "+1"})
+    {
+        EXPECT_THAT(jsonRefusal(polygon("[[0,0],[" + number + ",1],[0,1]]")), testing::StartsWith("line 1: "))
+            << number;
+    }
+    EXPECT_THAT(jsonRefusal(collection(good + "," + feature(polygon("[[0,0],[-1e400,1],[0,1]]")))),
+                AllOf(testing::StartsWith("feature 2: "), HasSubstr("'-1e400'")));
+    for (const std::string value : {"null", "true", "[1]", "{}"})
+    {
+        EXPECT_THAT(jsonRefusal(collection(good + "," + feature(polygon("[[0,0],[1," + value + "],[0,1]]")))),
+                    AllOf(testing::StartsWith("feature 2: "), HasSubstr("coordinate '" + value + "'")));
+    }
+    EXPECT_THAT(jsonRefusal(collection("7")), testing::StartsWith("feature 1: no geometry"));
+    EXPECT_THAT(jsonRefusal(collection("[[" + good + "]]")), testing::StartsWith("feature 1: no geometry"));
+    EXPECT_THAT(jsonRefusal(R"({"type":"FeatureCollection","features":{"a":)" + good + "}}"),
+                HasSubstr("features that are no list"));
+    EXPECT_THAT(jsonRefusal(R"({"type":"FeatureCollection","features":null})"), HasSubstr("no polygon"));
+    EXPECT_THAT(jsonRefusal(R"({"features":[)" + good + "]}"), HasSubstr("no geometry"));
+    EXPECT_THAT(jsonRefusal(R"({"type":"MultiPolygon","coordinates":[]})"), HasSubstr("without polygons"));
+    EXPECT_THAT(jsonRefusal(R"({"type":"Polygon","coordinates":[[0,0],[1,0],[1,1]]})"),
+                HasSubstr("position of 0"));
+    EXPECT_THAT(jsonRefusal(R"({"type":"Polygon","coordinates":7})"), HasSubstr("without points"));
+}
+
+TEST_F(OutlineFiles, jsonMembersThatStandTwiceAreRefused)
+{
+    const std::string twice =
+        R"({"type":"Polygon","coordinates":[)" + square + R"(],"coordinates":[)" + square + "]}";
+    EXPECT_THAT(jsonRefusal(collection(feature(polygon(square)) + "," + feature(twice))),
+                testing::StartsWith("feature 2: the member 'coordinates' twice; "));
+    EXPECT_THAT(jsonRefusal(R"({"type":"Polygon","type":"Point","coordinates":[]})"),
+                HasSubstr("'type' twice"));
+    EXPECT_THAT(jsonRefusal(collection(feature(polygon(square), R"("id":1,"id":2)"))),
+                HasSubstr("'id' twice"));
+}
+
+TEST_F(OutlineFiles, deepJsonIsRefusedWithoutUsingUpTheStack)
+{
+    for (const std::size_t depth : {std::size_t{200}, std::size_t{1000000}})
+    {
+        for (const std::string open : {"[", R"({"a":)"})
+        {
+            std::string lists;
+            for (std::size_t i = 0; i < depth; ++i)
+            {
+                lists += open;
+            }
+            EXPECT_THAT(jsonRefusal(lists), HasSubstr("more than 100 within each other"));
+            EXPECT_THAT(jsonRefusal(R"({"type":"Polygon","coordinates":)" + lists),
+                        HasSubstr("more than 100"));
+        }
+    }
+}
+
+TEST_F(OutlineFiles, namesAreThoseOfTheFile)
+{
+    const std::string one = polygon(square);
+    const std::string two = R"({"type":"MultiPolygon","coordinates":[[)" + square + "],[" + square + "]]}";
+    const OutlineFile file = readGeoJsonOutlines(
+        saved("a.json", collection(feature(one, R"("id":"a","properties":{"name":"b","id":"c"})") + "," +
+                                   feature(one, R"("id":null,"properties":{"name":"b","id":"c"})") + "," +
+                                   feature(one, R"("properties":{"other":1,"id":12})") + "," +
+                                   feature(one, R"("properties":null)") + "," + feature(two, R"("id":2.5)") +
+                                   "," + feature(two))));
+    EXPECT_EQ(file.names, (std::vector<std::string>{"a", "b", "12", "", "2.5-1", "2.5-2", "", ""}));
+    EXPECT_EQ(readGeoJsonOutlines(saved("b.json", feature(one, R"("id":"a")"))).names,
+              (std::vector<std::string>{"a"}));
+    EXPECT_THAT(jsonRefusal(collection(feature(one, R"("id":[1])"))),
+                HasSubstr("feature 1: the name [1]; text or a number"));
+    const OutlineFile csv =
+        readCsvOutlines(saved("a.csv", "id,x,y\np7,0,0\np7,1,0\np7,0,1\n3,0,0\n3,1,0\n3,0,1\n"));
+    EXPECT_EQ(csv.names, (std::vector<std::string>{"p7", "3"}));
+    EXPECT_EQ(csv.places, (std::vector<std::string>{"line 2", "line 5"}));
+}
+
+TEST_F(OutlineGrains, haveTheNamesOfTheFile)
+{
+    const std::string one = polygon(square);
+    const ImageGrains image =
+        readGrains(saved("a.json", collection(feature(one, R"("id":"pebble")") + "," + feature(one))));
+    EXPECT_EQ(image.name(0), "pebble");
+    EXPECT_EQ(image.name(1), "grain2");
+    EXPECT_EQ(readGrains(saved("b.json", one)).name(0), "grain1");
+
+    const auto refusal = [&](const std::string& first, const std::string& second)
+    {
+        const std::string path =
+            saved("c.json", collection(feature(one, first) + "," + feature(one, second)));
+        return test::errorOf<SetupError>([&] { readGrains(path); });
+    };
+    const SetupError same = refusal(R"("id":"a")", R"("properties":{"name":"a"})");
+    EXPECT_EQ(same.entry(), "feature 2");
+    EXPECT_EQ(same.found(), "the name 'a', which feature 1 has, too");
+    EXPECT_EQ(refusal(R"("id":"grain2")", R"("properties":{})").entry(), "feature 2");
+    for (const std::string name : {"a b", "a#", "a,b", R"(\"a)", R"(a\n)", R"(a\u0000b)", R"(\u007f)", " "})
+    {
+        const SetupError error = refusal(R"("id":"a")", R"("id":")" + name + '"');
+        EXPECT_EQ(error.entry(), "feature 2") << name;
+        EXPECT_EQ(error.expected(), "a name without blanks and without # , \"") << name;
+    }
+    const std::string csv = saved("a.csv", "id,x,y\nfirst one,0,0\nfirst one,1,0\nfirst one,0,1\n");
+    EXPECT_EQ(test::errorOf<SetupError>([&] { readGrains(csv); }).entry(), "line 2");
 }
 
 TEST_F(OutlineGrains, areDrawnFourHundredPixelsAcrossWithTheirExactOutline)
