@@ -128,7 +128,7 @@ void World::release(const Law& law, std::size_t index)
 }
 
 template <bool periodic, class Law>
-void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, const PlaceShare& share)
+[[gnu::always_inline]] inline void World::load(const Law& law, std::size_t index, const ContactGeometry<2>& geometry, double timeStep, const PlaceShare& share)
 {
     if (!(geometry.depth > 0))
     {
@@ -159,7 +159,7 @@ struct World::Meeting
 };
 
 template <bool periodic>
-World::Meeting World::meetingAt(const Contact<2>& contact) const
+[[gnu::always_inline]] inline World::Meeting World::meetingAt(const Contact<2>& contact) const
 {
     const auto i = static_cast<std::size_t>(contact.first);
     Meeting meeting;
@@ -189,7 +189,7 @@ World::Meeting World::meetingAt(const Contact<2>& contact) const
 
 /// `force` at the contact point and `couple` [N m], on the first body; the opposite on the other.
 template <bool periodic>
-void World::push(const Contact<2>& contact, const Meeting& meeting, const Vector2& force, double couple, double timeStep)
+[[gnu::always_inline]] inline void World::push(const Contact<2>& contact, const Meeting& meeting, const Vector2& force, double couple, double timeStep)
 {
     if constexpr (periodic)
     {
@@ -226,7 +226,7 @@ void World::noteSideChange(Contact<2>& contact, const SideHeld<2>& before, doubl
 }
 
 template <bool periodic, class Law>
-void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, const PlaceShare& share)
+[[gnu::always_inline]] inline void World::loadBodies(const Law& law, std::size_t index, double previousDepth, double timeStep, const PlaceShare& share)
 {
     Contact<2>& contact = list_.contacts()[index];
     const bool withWall = contact.withWall();
@@ -237,12 +237,17 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     {
         noteDepth(contact, timeStep * meeting.velocity.norm());
     }
-    const double byWeight = meeting.velocity.dot(share.depthPerWay) + meeting.spin * share.depthPerTurn;
-    const Vector2 rate = share.weight * meeting.velocity + byWeight * contact.normal;
+    const bool fades = share.weight != 1;
+    Vector2 rate = meeting.velocity;
+    if (fades)
+    {
+        const double byWeight = meeting.velocity.dot(share.depthPerWay) + meeting.spin * share.depthPerTurn;
+        rate = share.weight * meeting.velocity + byWeight * contact.normal;
+    }
     const double inverseMass = share.sharing * meeting.inverseMass;
     ContactState<2> state{contact.depth, contact.normal, rate, inverseMass, 0, previousDepth};
     // A place of less weight damps little: there the velocity of the half step before will do.
-    if (anticipates_ && share.weight == 1)
+    if (anticipates_ && !fades)
     {
         state.anticipates = true;
         const Vector2 gain = withWall ? expectedGains_[i] : Vector2(expectedGains_[i] - expectedGains_[j]);
@@ -262,9 +267,15 @@ void World::loadBodies(const Law& law, std::size_t index, double previousDepth, 
     {
         noteStiffness(i, j, result.springs);
     }
-    const double pull = result.force.dot(contact.normal);
-    contact.force = share.weight * result.force + pull * share.depthPerWay;
-    push<periodic>(contact, meeting, contact.force, pull * share.depthPerTurn, timeStep);
+    contact.force = result.force;
+    double couple = 0;
+    if (fades)
+    {
+        const double pull = result.force.dot(contact.normal);
+        contact.force = share.weight * result.force + pull * share.depthPerWay;
+        couple = pull * share.depthPerTurn;
+    }
+    push<periodic>(contact, meeting, contact.force, couple, timeStep);
     if (withWall)
     {
         const double square = share.weight * share.weight;

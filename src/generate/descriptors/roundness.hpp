@@ -5,9 +5,10 @@
 namespace chesil
 {
 
-/// Wadell's roundness (1932): mean radius of the corners over that of the inscribed circle, `inscribedRadius`. Corners are the stretches whose
-/// radius of curvature is below it, each counted by the angle that it turns (a stretch's mean radius is its length over its
-/// angle), so that no corner appears or goes at a blow; 0 for a polygon, 1 if there is no corner. An outline from pixels is to be smoothed before; sides longer
+/// Wadell's roundness (1932): mean radius of the corners over that of the inscribed circle, `inscribedRadius`. Corners are the stretches
+/// that are curved more than it, each counted by the angle that it turns (a stretch's mean radius is its length over its
+/// angle); around the inscribed circle's curvature a stretch counts more and more, so that no corner comes or goes at a blow.
+/// 0 for a polygon, 1 if there is no corner. An outline from pixels is to be smoothed before; sides longer
 /// than `straight` are straight, shorter ones chords of a curve.
 double cornerRoundness(const ClosedOutline& outline, double inscribedRadius, double straight);
 

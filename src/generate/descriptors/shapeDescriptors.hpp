@@ -2,6 +2,7 @@
 
 #include "core/shapes/shape.hpp"
 #include "generate/descriptors/closedOutline.hpp"
+#include "generate/descriptors/outlineCircles.hpp"
 #include "generate/image/silhouette.hpp"
 
 #include <optional>
@@ -17,8 +18,9 @@ struct ShapeDescriptors
     double perimeter;
     /// Of the circle of equal area.
     double equivalentDiameter;
-    double inscribedDiameter;
-    double circumscribedDiameter;
+    /// The largest circle inside and the smallest around.
+    OutlineCircle inscribed;
+    OutlineCircle circumscribed;
     /// Least width over the length at right angles to it (Mollon & Zhao 2012, eq. 1), and the angle of that length to the x axis,
     /// above -90 and up to 90 [degrees].
     double elongation;
@@ -36,20 +38,20 @@ struct ShapeDescriptors
     double cornerRoundness;
     /// D_0 to D_64 (eqs. 5 to 9); none if the grain is not star-shaped about its centroid.
     std::optional<std::vector<double>> spectrum;
-    Vector2 centroid;
 };
 
 /// Of an outline drawn as it is: no point of it is noise.
 ShapeDescriptors describe(const ClosedOutline& outline);
 
-/// Of an outline from pixels: corners are told from noise after smoothing over 0.5 % of the perimeter.
+/// Of an outline from pixels: both roundnesses are those of the outline smoothed over 1 % of the perimeter, lest noise
+/// count as corners.
 ShapeDescriptors describePixels(const ClosedOutline& outline);
 
-/// Of a template, as a polygon that leaves it by at most 1e-8 of its size.
+/// Of a template, as a polygon that leaves it by at most 1e-7 of its size.
 ShapeDescriptors describe(const Shape& shape);
 
-/// The outline that describePixels asks for, in the silhouette's frame [pixel]: outline() where the image knows one; else through the
-/// middles of the pixels' edges, smoothed over two pixels, since the stairs of pixels would lengthen it.
+/// The outline that describePixels asks for, in the silhouette's frame [pixel]: outline() where the image knows one, else
+/// through the middles of the pixels' edges; smoothed over two pixels, since stairs of pixels would lengthen it.
 ClosedOutline outlineToDescribe(const Silhouette& silhouette);
 
 } // namespace chesil
