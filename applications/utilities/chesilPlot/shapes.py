@@ -29,7 +29,7 @@ def drawGrain(axes, columns, index, outline):
         axes.add_patch(Circle(centre, columns[kind + "Radius"][index], fill=False, linewidth=0.9, **look))
         return np.array(centre)
 
-    axes.add_patch(Polygon(outline, facecolor=style.GRAIN, edgecolor=style.GRAIN_EDGE, linewidth=0.9))
+    axes.add_patch(Polygon(outline, facecolor=style.GRAIN_FILL, edgecolor=style.GRAIN_EDGE, linewidth=0.9))
     circle("inscribed", edgecolor=style.SERIES_COLOURS[0])
     middle = circle("circumscribed", edgecolor=style.OUTLINE)
     angle = math.radians(columns["elongationAngle"][index])

@@ -63,6 +63,35 @@ public:
         return *this;
     }
 
+    /// Each pixel takes the share of `grey` that the shape covers of it (16 x 16 samples where it is not all inside or
+    /// outside at 9); `inside(point)` in pixels, y down.
+    template <class Inside>
+    GreyPicture& shape(const Inside& inside, double grey)
+    {
+        const auto count = [&](int x, int y, int samples, double margin)
+        {
+            int found = 0;
+            for (int sample = 0; sample < samples * samples; ++sample)
+            {
+                const double step = (1 - 2 * margin) / samples;
+                found += inside(Vector2(x + margin + (sample % samples + 0.5) * step,
+                                        y + margin + (sample / samples + 0.5) * step));
+            }
+            return found;
+        };
+        for (int y = 0; y < height_; ++y)
+        {
+            for (int x = 0; x < width_; ++x)
+            {
+                // The outer eight of these lie on the pixel's edge.
+                const int coarse = count(x, y, 3, -0.25);
+                const double covered = coarse % 9 == 0 ? coarse / 9.0 : count(x, y, 16, 0) / 256.0;
+                at(x, y) += (grey - at(x, y)) * covered;
+            }
+        }
+        return *this;
+    }
+
     void write(const std::string& path) const
     {
         std::ofstream file(path);
