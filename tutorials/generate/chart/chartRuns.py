@@ -15,7 +15,7 @@ ROUND, ANGULAR = (0.7, 0.9), (0.7, 0.1)
 
 def readTable(path):
     with open(path, newline="") as file:
-        return list(csv.DictReader(file))
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def readShapes():
@@ -27,3 +27,8 @@ def readAccuracy():
     """{(model, pieces, name of the grain): accuracy to the silhouette}"""
     return {(model, pieces, row["id"]): float(row["accuracySilhouette"])
             for model in MODELS for pieces in PIECES for row in readTable(f"runs/{model}{pieces}.csv")}
+
+
+def readDescribed(source):
+    """{name of the grain: (elongation, roundness of corners)} of the image or the templates"""
+    return {row["id"]: (float(row["elongation"]), float(row["cornerRoundness"])) for row in readTable(f"runs/{source}.csv")}
