@@ -42,8 +42,10 @@ std::vector<DescribedGrain> describeGrains(const ImageGrains& image, double scal
         {
             point = scale * (point + silhouette.corner());
         }
-        const ShapeDescriptors shape = describePixels(outline);
-        described.push_back({image.name(i), silhouette.outline().empty() ? "pixel" : "sub-pixel", std::move(outline), shape});
+        const EdgeAccuracy accuracy = edgeAccuracy(silhouette);
+        const ShapeDescriptors shape = describePixels(outline, accuracy, scale);
+        described.push_back(
+            {image.name(i), accuracy == EdgeAccuracy::pixel ? "pixel" : "sub-pixel", std::move(outline), shape});
     }
     return described;
 }

@@ -8,6 +8,7 @@
 #include "generate/image/convexHull.hpp"
 #include "generate/image/subPixelOutline.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,14 +24,27 @@ constexpr double chordTolerance = 1e-7;
 /// Sides of a polygon longer than this are no chords of its curves, over the inscribed radius.
 constexpr double straightSide = 2e-3;
 
-/// Steps of an outline whose corners are looked for, and the smoothing's standard deviation, in steps: 1 % of the perimeter.
-/// With half of it, both roundnesses of the same shape turned and shifted differ by up to 5e-3.
+/// Steps of an outline whose corners are looked for.
 constexpr std::size_t cornerSteps = 2000;
-constexpr double cornerDeviation = 20;
 
-/// Steps a pixel's edge is cut in, and the smoothing's standard deviation [pixel].
+/// Steps that a pixel's edge is cut in.
 constexpr double stepsInPixel = 2;
-constexpr double pixelDeviation = 2;
+
+/// Standard deviations of what smooths an outline [pixel], so that a shape turned and shifted in the image has the same
+/// descriptors within 1e-3 at a sub-pixel edge; an edge along the pixels knows less.
+struct Smoothing
+{
+    double outline;
+    /// Of what corners are looked for in, besides: a share of the perimeter, so that an enlarged grain has the same corners,
+    /// but so many pixels at least.
+    double corners;
+    double leastCorners;
+
+    static Smoothing of(EdgeAccuracy accuracy)
+    {
+        return accuracy == EdgeAccuracy::subPixel ? Smoothing{1, 0.004, 3} : Smoothing{2, 0.01, 8};
+    }
+};
 
 /// An outline whose perimeter exceeds the hull's by less than this share is convex: the rounding of some thousand sides.
 constexpr double convexExcess = 1e-12;
@@ -76,9 +90,11 @@ ShapeDescriptors describe(const ClosedOutline& outline)
     return describe(outline, nullptr);
 }
 
-ShapeDescriptors describePixels(const ClosedOutline& outline)
+ShapeDescriptors describePixels(const ClosedOutline& outline, EdgeAccuracy accuracy, double pixel)
 {
-    const ClosedOutline smooth = smoothed(resampled(outline, cornerSteps), cornerDeviation);
+    const Smoothing smoothing = Smoothing::of(accuracy);
+    const double steps = cornerSteps * std::max(smoothing.corners, smoothing.leastCorners * pixel / perimeterOf(outline));
+    const ClosedOutline smooth = smoothed(resampled(outline, cornerSteps), steps);
     return describe(outline, &smooth);
 }
 
@@ -87,11 +103,17 @@ ShapeDescriptors describe(const Shape& shape)
     return describe(outlinePoints(outline(shape), chordTolerance * boundingRadius(shape)));
 }
 
+EdgeAccuracy edgeAccuracy(const Silhouette& silhouette)
+{
+    return silhouette.outline().empty() ? EdgeAccuracy::pixel : EdgeAccuracy::subPixel;
+}
+
 ClosedOutline outlineToDescribe(const Silhouette& silhouette)
 {
-    const ClosedOutline edges = silhouette.outline().empty() ? pixelOutline(silhouette) : silhouette.outline();
+    const EdgeAccuracy accuracy = edgeAccuracy(silhouette);
+    const ClosedOutline edges = accuracy == EdgeAccuracy::pixel ? pixelOutline(silhouette) : silhouette.outline();
     const auto steps = static_cast<std::size_t>(std::ceil(stepsInPixel * perimeterOf(edges)));
-    return smoothed(resampled(edges, steps), stepsInPixel * pixelDeviation);
+    return smoothed(resampled(edges, steps), stepsInPixel * Smoothing::of(accuracy).outline);
 }
 
 } // namespace chesil

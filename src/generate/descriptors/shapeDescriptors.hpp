@@ -43,15 +43,24 @@ struct ShapeDescriptors
 /// Of an outline drawn as it is: no point of it is noise.
 ShapeDescriptors describe(const ClosedOutline& outline);
 
-/// Of an outline from pixels: both roundnesses are those of the outline smoothed over 1 % of the perimeter, lest noise
-/// count as corners.
-ShapeDescriptors describePixels(const ClosedOutline& outline);
+/// How well the edge of an image's grain is known: by the grey values of mixed pixels, or by the pixels alone.
+enum class EdgeAccuracy
+{
+    pixel,
+    subPixel
+};
+
+EdgeAccuracy edgeAccuracy(const Silhouette& silhouette);
+
+/// Of an outline from pixels of this size [outline's unit]: both roundnesses are those of the outline smoothed over
+/// 0.4 % of the perimeter, 3 pixels at least (subPixel), or 1 % and 8 pixels (pixel), lest noise count as corners.
+ShapeDescriptors describePixels(const ClosedOutline& outline, EdgeAccuracy accuracy, double pixel = 1);
 
 /// Of a template, as a polygon that leaves it by at most 1e-7 of its size.
 ShapeDescriptors describe(const Shape& shape);
 
-/// The outline that describePixels asks for, in the silhouette's frame [pixel]: outline() where the image knows one, else
-/// through the middles of the pixels' edges; smoothed over two pixels, since stairs of pixels would lengthen it.
+/// The outline that describePixels asks for, in the silhouette's frame [pixel]: outline() where the image knows one, smoothed
+/// over a pixel; else through the middles of the pixels' edges, smoothed over two, since stairs of pixels would lengthen it.
 ClosedOutline outlineToDescribe(const Silhouette& silhouette);
 
 } // namespace chesil

@@ -1,7 +1,10 @@
 #include "generate/image/subPixelOutline.hpp"
 
+#include "generate/image/convexHull.hpp"
+
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace chesil
 {
@@ -125,13 +128,20 @@ private:
     int bottom_;
 };
 
-bool hasMixedPixels(const GreyAround& around, const GreyLevel& level, const std::vector<Crack>& cracks)
+/// Grey values of what is all grain and all ground.
+struct GreyEnds
+{
+    double grain;
+    double ground;
+
+    /// Share of a pixel that the grain covers.
+    double covered(int grey) const { return std::clamp((grey - ground) / (grain - ground), 0.0, 1.0); }
+};
+
+bool hasMixedPixels(const GreyAround& around, const GreyEnds& ends, const std::vector<Crack>& cracks)
 {
     constexpr double leastShare = 0.25;
-    const double grain = around.grainMedian(level);
-    const double ground = around.groundMedian(cracks);
-    const auto isMixed = [&](int grey)
-    { return std::abs(grey - (grain + ground) / 2) < std::abs(ground - grain) / 4; };
+    const auto isMixed = [&](int grey) { return std::abs(ends.covered(grey) - 0.5) < 0.25; };
     const auto mixed = std::count_if(
         cracks.begin(), cracks.end(),
         [&](const Crack& crack)
@@ -140,6 +150,93 @@ bool hasMixedPixels(const GreyAround& around, const GreyLevel& level, const std:
                    isMixed(around.value(crack.insideX + crack.stepX, crack.insideY + crack.stepY));
         });
     return static_cast<double>(mixed) >= leastShare * static_cast<double>(cracks.size());
+}
+
+/// How far from the inner pixel's centre the edge crosses the line of pixels through a crack [pixel], if it does so once: all
+/// grain two pixels within, all ground two pixels beyond, and falling between. Then the sum of what is covered is exactly
+/// the length of the grain's part, the mean over the pixels' breadth.
+std::optional<double> edgeByCoverage(const GreyAround& around, const GreyEnds& ends, const Crack& crack)
+{
+    constexpr double all = 0.9;
+    std::array<double, 4> covered{};
+    for (int k = 0; k < 4; ++k)
+    {
+        const int x = crack.insideX + (k - 1) * crack.stepX;
+        const int y = crack.insideY + (k - 1) * crack.stepY;
+        if (!around.has(x, y))
+        {
+            return std::nullopt;
+        }
+        covered[static_cast<std::size_t>(k)] = ends.covered(around.value(x, y));
+    }
+    if (covered.front() < all || covered.back() > 1 - all || !std::is_sorted(covered.rbegin(), covered.rend()))
+    {
+        return std::nullopt;
+    }
+    return covered[0] + covered[1] + covered[2] + covered[3] - 1.5;
+}
+
+/// The same by linear interpolation between the centres.
+double edgeByLevel(const GreyAround& around, const GreyLevel& level, const Crack& crack)
+{
+    const double inside = level.depth(around.value(crack.insideX, crack.insideY));
+    const double outside = level.depth(around.value(crack.insideX + crack.stepX, crack.insideY + crack.stepY));
+    return outside < 0 ? inside / (inside - outside) : 0.5;
+}
+
+bool hasAround(const Silhouette& silhouette, int x, int y, bool dark)
+{
+    for (int dy = -1; dy <= 1; ++dy)
+    {
+        for (int dx = -1; dx <= 1; ++dx)
+        {
+            if (silhouette.dark(x + dx, y + dy) == dark)
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Area of the grain by what it covers of the pixels along its edge [pixel^2].
+double coveredArea(const GreyAround& around, const GreyEnds& ends, const Silhouette& silhouette)
+{
+    double area = 0;
+    for (int y = -1; y <= silhouette.height(); ++y)
+    {
+        for (int x = -1; x <= silhouette.width(); ++x)
+        {
+            const bool within = silhouette.dark(x, y) && !hasAround(silhouette, x, y, false);
+            const bool along = !within && hasAround(silhouette, x, y, true);
+            area += within ? 1 : along && around.has(x, y) ? ends.covered(around.value(x, y)) : 0;
+        }
+    }
+    return area;
+}
+
+/// Each vertex along its normal, all by the same way, until the area is the wanted one. Not at all if that is farther than what chords
+/// and means over a pixel's breadth cut off a grain of five pixels: then the area holds something else, a neighbour, say.
+void moveOutward(std::vector<Vector2>& outline, double area)
+{
+    const std::size_t size = outline.size();
+    std::vector<Vector2> normals;
+    double perimeter = 0;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+        normals.push_back(-perpendicular(unit(outline[(i + 1) % size] - outline[(i + size - 1) % size])));
+        perimeter += (outline[(i + 1) % size] - outline[i]).norm();
+    }
+    constexpr double farthest = 0.06;
+    const double way = (area - polygonArea(outline)) / perimeter;
+    if (std::abs(way) > farthest)
+    {
+        return;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+        outline[i] += way * normals[i];
+    }
 }
 
 } // namespace
@@ -159,7 +256,8 @@ std::vector<Vector2> subPixelOutline(const GreyImage& image, const GreyLevel& le
 {
     const std::vector<Crack> cracks = outerBoundary(silhouette);
     const GreyAround around(image, silhouette);
-    if (!hasMixedPixels(around, level, cracks))
+    const GreyEnds ends{around.grainMedian(level), around.groundMedian(cracks)};
+    if (!hasMixedPixels(around, ends, cracks))
     {
         return {};
     }
@@ -167,13 +265,12 @@ std::vector<Vector2> subPixelOutline(const GreyImage& image, const GreyLevel& le
     outline.reserve(cracks.size());
     for (const Crack& crack : cracks)
     {
-        const double inside = level.depth(around.value(crack.insideX, crack.insideY));
-        const double outside =
-            level.depth(around.value(crack.insideX + crack.stepX, crack.insideY + crack.stepY));
-        const double share = outside < 0 ? inside / (inside - outside) : 0.5;
-        outline.emplace_back(crack.insideX + 0.5 + share * crack.stepX,
-                             crack.insideY + 0.5 + share * crack.stepY);
+        const std::optional<double> exact = edgeByCoverage(around, ends, crack);
+        const double share = exact ? *exact : edgeByLevel(around, level, crack);
+        outline.emplace_back(crack.insideX + 0.5 + share * crack.stepX, crack.insideY + 0.5 + share * crack.stepY);
     }
+    // Chords, and means over a pixel's breadth, cut about a pixel off a round grain's area, whatever its size.
+    moveOutward(outline, coveredArea(around, ends, silhouette));
     return outline;
 }
 

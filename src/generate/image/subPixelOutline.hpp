@@ -18,11 +18,12 @@ struct GreyLevel
     double depth(int grey) const { return lightGrains ? grey - level : level - grey; }
 };
 
-/// The silhouette's outer edge where linear interpolation between the centres of neighbouring pixels meets
-/// the level (marching squares; Lorensen & Cline's case of a plane): a polygon, counter-clockwise, in the
-/// silhouette's frame, one vertex for each pixel edge between the grain and what lies around it. Between
-/// pixels that are both grain (two parts of a split one) the vertex is half way. Pixels that share a corner
-/// only are not joined.
+/// The silhouette's outer edge: a polygon, counter-clockwise, in the silhouette's frame, one vertex for each pixel edge
+/// between the grain and what lies around it. Its place across that edge is where the covered shares of four pixels in a row, two on each
+/// side, put it, which is exact for a straight edge of an image that averages over its pixels; where these do
+/// not fall from all grain to all ground (an edge that is blurred or meets another) by linear interpolation between the two pixels'
+/// centres to the level (marching squares; Lorensen & Cline's case of a plane). Between pixels that are both grain (two parts of a
+/// split one) the vertex is half way. Pixels that share a corner only are not joined.
 ///
 /// Empty if the grey values know nothing finer than the pixels: if, at fewer than a quarter of the pixel
 /// edges, either pixel is mixed, that is in the middle half between the grain's median and the ground's. Half

@@ -70,7 +70,9 @@ protected:
         picture.shape([&](const Vector2& point) { return inside(turn.applyInverse(point - middle) / (across / 2)); }, 30);
         const std::string path = folder_ + "/picture.pgm";
         picture.write(path);
-        const ShapeDescriptors found = describePixels(outlineToDescribe(readGrains(path).grains.at(0)));
+        const Silhouette grain = readGrains(path).grains.at(0);
+        EXPECT_EQ(edgeAccuracy(grain), EdgeAccuracy::subPixel);
+        const ShapeDescriptors found = describePixels(outlineToDescribe(grain), edgeAccuracy(grain));
 
         std::vector<double> numbers{
             std::log(found.area / (across * across)), std::log(found.perimeter / across), std::log(found.equivalentDiameter / across),
@@ -110,8 +112,7 @@ TEST_F(PixelDescriptors, hardlyKnowHowAGrainLies)
         {
             const double off = (most[k] - least[k]) / 2;
             const std::string name = k < names.size() ? names[k] : "D_" + std::to_string(k - names.size());
-            // Where an edge lies nearly along the pixels, its error goes in waves too long to be smoothed away.
-            EXPECT_LT(off, name == "corner roundness" ? 3e-3 : 1e-3) << shape.name << ": " << name << ", seed " << seed;
+            EXPECT_LT(off, 1e-3) << shape.name << ": " << name << ", seed " << seed;
             worst = std::max(worst, off);
         }
     }
