@@ -43,13 +43,11 @@ struct FlatPlace
 /// Weight of the shallower place, between 0 and 1, and its derivatives.
 struct FlatWeight
 {
-    /// Largest tilt (sine) of a shallow contact, and of one that is short for its depth, halfway at this ratio of length to
-    /// depth. Both ends are inside up to a tilt of 1/ratio: there the weight is 0.8 at a ratio of 10, 0.9 at 20, 0.98 at
-    /// 100. A wider tilt for deep contacts keeps the couple, which goes with depth over tilt, below what the stable time
-    /// step allows; beyond 0.4, corners of polygons turn another side to the contact.
+    /// Largest tilt of a shallow contact (sine).
     static constexpr double mostTilt = tolerances::oneSide;
-    static constexpr double deepTilt = 0.35;
-    static constexpr double ratioOfHalf = 20;
+    /// Deeper contacts may tilt further, by this over the ratio of length to depth: the couple, which goes with the
+    /// depth over the tilt, stays below what the contacts of the stable time step give.
+    static constexpr double mostTiltTimesRatio = 0.5;
     /// Up to this ratio of length to depth there is one place: where the side of least depth changes at a corner whose sides
     /// stand at an angle of f, it is tan(f/2), 1 for a square and 1.7 for a triangle of equal sides.
     static constexpr double leastRatio = 2;
@@ -62,8 +60,7 @@ struct FlatWeight
     /// (1 - (tilt/most)^2)^2 and a cubic that rises from 0 at leastRatio to 1 at twice that.
     static FlatWeight of(double tilt, double ratio)
     {
-        const double deepness = 1 / (1 + ratio / ratioOfHalf);
-        const double most = mostTilt + deepTilt * deepness;
+        const double most = mostTilt + mostTiltTimesRatio / ratio;
         const double share = tilt / most;
         const double left = 1 - share * share;
         const double length = std::min(ratio / leastRatio - 1, 1.0);
@@ -78,7 +75,7 @@ struct FlatWeight
         return {
             ofTilt * ofLength,
             perShare / most,
-            perLength / leastRatio + perShare * share * deepTilt * deepness * deepness / (most * ratioOfHalf)};
+            perLength / leastRatio + perShare * share * mostTiltTimesRatio / (most * ratio * ratio)};
     }
 };
 
@@ -148,7 +145,7 @@ inline std::array<FlatPlace, 2> flatPlaces(const ReferenceSide& reference, const
     };
     const double tilt = cross(incident.normal, reference.normal);
     const double facing = -incident.normal.dot(reference.normal);
-    if (!(facing > 0 && std::abs(tilt) < FlatWeight::mostTilt + FlatWeight::deepTilt))
+    if (!(facing > 0 && std::abs(tilt) < FlatWeight::mostTilt + FlatWeight::mostTiltTimesRatio / FlatWeight::leastRatio))
     {
         return alone();
     }
